@@ -1,0 +1,593 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Casts one ray through a voxel line model. Common subset of GLSL and C++ with GLM.
+//
+// The ray goes through the grid slab by slab along the axis nearest to its direction. A tube reaches
+// out of the voxel that holds its segment by up to the radius; so each slab is visited over the
+// ray's way through the slab widened by the radius, and with all voxels that lie within
+// the radius of that way. Thereby every segment near the ray is tested exactly once, and whatever
+// later slabs hold begins behind the start of the next widened slab: hits before it can be blended.
+//
+// Hits wait unsorted in a small buffer and leave it by (entry, segment). Where it overflows, the ray
+// remembers the first hit that did not fit, blends what comes before, and visits the slabs again for
+// what is left: no hit is lost.
+//
+// A curve gives one layer for each stretch of the ray inside its tubes: hits come in order of entry,
+// and one that begins before its curve's last exit only prolongs that stretch.
+//
+// Where the ray starts inside a tube (camera or clipping plane inside), the tube's far wall is seen.
+//
+// The engine supplies what vtkVoxelLineFrame and vtkVoxelLineModel tell: GridDimensions,
+// BrickDimensions, Radius, HasRadii, SegmentWords, FaceBits, InteriorBins, IdExtension, Coloring,
+// HasNaN, AmbientColor, DiffuseColor, Ambient, Diffuse, Opacity, Lighting, AllOpaque, Picking,
+// EarlyTermination, NormalFromLocal, ViewFromLocal, Parallel; the constants HitCapacity and
+// ActiveCapacity and Beyond, a distance that no ray reaches; and
+//   int fetchBrickGrid(int), uvec4 fetchBrick(int), uint fetchBrickFirstCurve(int),
+//   uint fetchVoxelStart(uint), uint fetchSegmentWord(uint), uint fetchIdExtension(uint),
+//   uint fetchBrickCurve(uint), Real fetchScalar(uint), vec4 fetchColor(uint), Real fetchRadius(uint),
+//   vec4 fetchTable(int), int countBits(uint), Real exactValue(uint),
+//   void beginRay(), void beginCandidates(uint, uint, vec3), uint nextCandidate(uint, uint): they leave
+//   out segments of a voxel that the ray cannot hit, where an engine tells so faster than the traversal.
+
+// --- State of a ray ------------------------------------------------------------------------------
+
+vec3 RayOrigin;
+vec3 RayDirection;
+Real RayStart;
+Real RayEnd;
+int AxisU; // the two minor axes and the major one, along which the slabs lie
+int AxisV;
+int AxisW;
+
+// Hits that were found and not blended yet.
+int HitCount;
+Real HitEntry[HitCapacity];
+Real HitLeave[HitCapacity];
+uint HitSegment[HitCapacity];
+int HitBrick[HitCapacity];
+ivec3 HitVoxel[HitCapacity];
+
+// First hit that did not fit.
+Real OverflowEntry;
+uint OverflowSegment;
+// Last hit that was blended; while visiting slabs again, hits up to it are known.
+Real LastEntry;
+uint LastSegment;
+bool Resuming;
+
+// Curves that the ray is inside of, and where it leaves them.
+int ActiveCount;
+uint ActiveCurve[ActiveCapacity];
+Real ActiveLeave[ActiveCapacity];
+
+// Result: colour multiplied by opacity, opacity; distance of the first layer (or a negative curve:
+// none); curve of the first layer; whether a curve's exit had to be forgotten.
+vec3 RayColor;
+Real RayOpacity;
+Real FirstDistance;
+int FirstCurve;
+bool HasLayer;
+bool Forgot;
+bool Finished;
+
+// --- Segments --------------------------------------------------------------------------------------
+
+void fetchSegment(uint segment, LS_OUT(vec3) a, LS_OUT(vec3) b)
+{
+  if (SegmentWords == 1)
+  {
+    uint word = fetchSegmentWord(segment);
+    uint codeMask = (1u << uint(2 * FaceBits + 3)) - 1u;
+    a = decodePoint(word & codeMask, FaceBits, InteriorBins);
+    b = decodePoint((word >> uint(2 * FaceBits + 3)) & codeMask, FaceBits, InteriorBins);
+  }
+  else if (SegmentWords == 2)
+  {
+    a = decodePoint(fetchSegmentWord(2u * segment) & 0x3ffffffu, FaceBits, InteriorBins);
+    b = decodePoint(fetchSegmentWord(2u * segment + 1u) & 0x3ffffffu, FaceBits, InteriorBins);
+  }
+  else
+  {
+    uint i = 6u * segment;
+    a = vec3(exactValue(fetchSegmentWord(i)), exactValue(fetchSegmentWord(i + 1u)),
+      exactValue(fetchSegmentWord(i + 2u)));
+    b = vec3(exactValue(fetchSegmentWord(i + 3u)), exactValue(fetchSegmentWord(i + 4u)),
+      exactValue(fetchSegmentWord(i + 5u)));
+  }
+}
+
+void fetchRadii(uint segment, LS_OUT(Real) ra, LS_OUT(Real) rb)
+{
+  ra = Radius;
+  rb = Radius;
+  if (HasRadii)
+  {
+    ra *= fetchRadius(2u * segment);
+    rb *= fetchRadius(2u * segment + 1u);
+  }
+}
+
+uint fetchCurve(uint segment, int brick)
+{
+  uint local = 0u;
+  uint bits = 0u;
+  if (SegmentWords == 1)
+  {
+    local = fetchSegmentWord(segment) >> 26u;
+    bits = 6u;
+  }
+  else if (SegmentWords == 2)
+  {
+    local = (fetchSegmentWord(2u * segment) >> 26u) | ((fetchSegmentWord(2u * segment + 1u) >> 26u) << 6u);
+    bits = 12u;
+  }
+  if (IdExtension)
+  {
+    local = local | (fetchIdExtension(segment) << bits);
+  }
+  return fetchBrickCurve(fetchBrickFirstCurve(brick) + local);
+}
+
+// Colour and opacity of a segment at a parameter from 0 (start) to 1 (end).
+vec4 segmentColor(uint segment, Real parameter)
+{
+  if (Coloring == 1)
+  {
+    Real q0 = fetchScalar(2u * segment);
+    Real q1 = fetchScalar(2u * segment + 1u);
+    Real q = q0 + (q1 - q0) * parameter;
+    if (HasNaN && (q0 > Real(254.5) || q1 > Real(254.5)))
+    {
+      q = parameter < Real(0.5) ? q0 : q1;
+    }
+    int low = int(q);
+    int high = min(low + 1, HasNaN && low < 255 ? 254 : 255);
+    vec4 lower = fetchTable(low);
+    return lower + (fetchTable(high) - lower) * (q - Real(low));
+  }
+  if (Coloring == 2)
+  {
+    vec4 c0 = fetchColor(2u * segment);
+    return c0 + (fetchColor(2u * segment + 1u) - c0) * parameter;
+  }
+  return vec4(DiffuseColor, Real(1));
+}
+
+// --- Hits --------------------------------------------------------------------------------------------
+
+// Distance at which the ray is in the middle of a slab. Tubes are intersected relative to this point
+// and to their voxel: near it, numbers are small, so that single precision suffices.
+Real middleOfSlab(int slab)
+{
+  return (Real(slab) + Real(0.5) - RayOrigin[AxisW]) / RayDirection[AxisW];
+}
+
+bool isBefore(Real entry0, uint segment0, Real entry1, uint segment1)
+{
+  return entry0 < entry1 || (entry0 == entry1 && segment0 < segment1);
+}
+
+void keepHit(Real entry, Real leave, uint segment, int brick, ivec3 voxel)
+{
+  int slot = HitCount;
+  if (HitCount == HitCapacity)
+  {
+    int last = 0;
+    for (int i = 1; i < HitCapacity; ++i)
+    {
+      if (isBefore(HitEntry[last], HitSegment[last], HitEntry[i], HitSegment[i]))
+      {
+        last = i;
+      }
+    }
+    bool replace = isBefore(entry, segment, HitEntry[last], HitSegment[last]);
+    Real lostEntry = replace ? HitEntry[last] : entry;
+    uint lostSegment = replace ? HitSegment[last] : segment;
+    if (isBefore(lostEntry, lostSegment, OverflowEntry, OverflowSegment))
+    {
+      OverflowEntry = lostEntry;
+      OverflowSegment = lostSegment;
+    }
+    if (!replace)
+    {
+      return;
+    }
+    slot = last;
+  }
+  else
+  {
+    HitCount = HitCount + 1;
+  }
+  HitEntry[slot] = entry;
+  HitLeave[slot] = leave;
+  HitSegment[slot] = segment;
+  HitBrick[slot] = brick;
+  HitVoxel[slot] = voxel;
+}
+
+void visitSegment(uint segment, int brick, ivec3 voxel, vec3 local, Real t)
+{
+  vec3 a;
+  vec3 b;
+  Real ra;
+  Real rb;
+  Real entry;
+  Real leave;
+  fetchSegment(segment, a, b);
+  fetchRadii(segment, ra, rb);
+  if (!intersectTube(local, RayDirection, a, b, ra, rb, entry, leave))
+  {
+    return;
+  }
+  entry += t;
+  leave += t;
+  // From inside, the far wall is what is seen; it must lie in the visible part of the ray.
+  if (leave < RayStart || (entry < RayStart ? leave : entry) > RayEnd)
+  {
+    return;
+  }
+  if (Resuming && !isBefore(LastEntry, LastSegment, entry, segment))
+  {
+    return;
+  }
+  if (AllOpaque)
+  {
+    RayEnd = min(RayEnd, entry < RayStart ? leave : entry);
+  }
+  keepHit(entry, leave, segment, brick, voxel);
+}
+
+// --- Layers ------------------------------------------------------------------------------------------
+
+// Whether the hit begins a new stretch inside its curve; keeps the curve's exit up to date.
+bool beginsStretch(uint curve, Real entry, Real leave)
+{
+  int slot = -1;
+  int i = 0;
+  while (i < ActiveCount)
+  {
+    if (ActiveCurve[i] == curve)
+    {
+      slot = i;
+    }
+    else if (ActiveLeave[i] < entry)
+    {
+      ActiveCount = ActiveCount - 1;
+      ActiveCurve[i] = ActiveCurve[ActiveCount];
+      ActiveLeave[i] = ActiveLeave[ActiveCount];
+      continue;
+    }
+    i = i + 1;
+  }
+  if (slot >= 0)
+  {
+    bool inside = entry <= ActiveLeave[slot];
+    ActiveLeave[slot] = inside ? max(ActiveLeave[slot], leave) : leave;
+    return !inside;
+  }
+  if (ActiveCount == ActiveCapacity)
+  {
+    // Forget the curve that ends first: it is the least likely to matter again.
+    Forgot = true;
+    slot = 0;
+    for (int j = 1; j < ActiveCapacity; ++j)
+    {
+      slot = ActiveLeave[j] < ActiveLeave[slot] ? j : slot;
+    }
+  }
+  else
+  {
+    slot = ActiveCount;
+    ActiveCount = ActiveCount + 1;
+  }
+  ActiveCurve[slot] = curve;
+  ActiveLeave[slot] = leave;
+  return true;
+}
+
+void blendHit(Real entry, Real leave, uint segment, int brick, ivec3 voxel)
+{
+  uint curve = 0u;
+  if (Picking || !AllOpaque)
+  {
+    curve = fetchCurve(segment, brick);
+  }
+  if (!AllOpaque && !beginsStretch(curve, entry, leave))
+  {
+    return;
+  }
+  bool fromInside = entry < RayStart;
+  Real seen = fromInside ? leave : entry;
+
+  vec3 a;
+  vec3 b;
+  Real ra;
+  Real rb;
+  fetchSegment(segment, a, b);
+  fetchRadii(segment, ra, rb);
+  Real t = middleOfSlab(voxel[AxisW]);
+  vec3 x = RayOrigin + RayDirection * t - vec3(voxel) + RayDirection * (seen - t);
+  vec4 color = segmentColor(segment, tubeParameter(x, a, b));
+  color.w = Picking ? Real(1) : color.w * Opacity;
+  if (color.w <= Real(0))
+  {
+    return;
+  }
+  if (!HasLayer)
+  {
+    HasLayer = true;
+    FirstDistance = seen;
+    FirstCurve = int(curve);
+  }
+  vec3 shade = vec3(color);
+  if (Lighting)
+  {
+    vec3 normal = normalize(NormalFromLocal * tubeNormal(x, a, b, ra, rb));
+    normal = fromInside ? -normal : normal;
+    vec3 position = vec3(ViewFromLocal * vec4(x + vec3(voxel), Real(1)));
+    vec3 viewer = Parallel ? vec3(Real(0), Real(0), Real(1)) : normalize(-position);
+    vec3 ambient = Coloring == 0 ? AmbientColor : shade;
+    shade = lightSurface(position, normal, viewer, ambient * Ambient, shade * Diffuse);
+  }
+  shade = clamp(shade, Real(0), Real(1));
+  Real weight = (Real(1) - RayOpacity) * color.w;
+  RayColor += shade * weight;
+  RayOpacity += weight;
+  Finished = RayOpacity >= EarlyTermination || color.w >= Real(1);
+}
+
+// Blends, in order, the waiting hits that begin before a distance. Returns whether all of them could
+// be blended: not where one that did not fit comes before that distance.
+bool blendHits(Real limit)
+{
+  while (HitCount > 0 && !Finished)
+  {
+    int first = 0;
+    for (int i = 1; i < HitCount; ++i)
+    {
+      if (isBefore(HitEntry[i], HitSegment[i], HitEntry[first], HitSegment[first]))
+      {
+        first = i;
+      }
+    }
+    Real entry = HitEntry[first];
+    uint segment = HitSegment[first];
+    if (entry >= limit || !isBefore(entry, segment, OverflowEntry, OverflowSegment))
+    {
+      break;
+    }
+    Real leave = HitLeave[first];
+    int brick = HitBrick[first];
+    ivec3 voxel = HitVoxel[first];
+    HitCount = HitCount - 1;
+    HitEntry[first] = HitEntry[HitCount];
+    HitLeave[first] = HitLeave[HitCount];
+    HitSegment[first] = HitSegment[HitCount];
+    HitBrick[first] = HitBrick[HitCount];
+    HitVoxel[first] = HitVoxel[HitCount];
+    LastEntry = entry;
+    LastSegment = segment;
+    blendHit(entry, leave, segment, brick, voxel);
+  }
+  return Finished || OverflowEntry >= limit;
+}
+
+// --- Slabs -------------------------------------------------------------------------------------------
+
+// Visits the voxels of a slab that lie within the radius of the ray between two distances.
+void visitSlab(int slab, Real from, Real to)
+{
+  Real u0 = RayOrigin[AxisU] + RayDirection[AxisU] * from;
+  Real u1 = RayOrigin[AxisU] + RayDirection[AxisU] * to;
+  Real v0 = RayOrigin[AxisV] + RayDirection[AxisV] * from;
+  Real v1 = RayOrigin[AxisV] + RayDirection[AxisV] * to;
+  int uFirst = max(int(floor(min(u0, u1) - Radius)), 0);
+  int uLast = min(int(floor(max(u0, u1) + Radius)), GridDimensions[AxisU] - 1);
+  int vFirst = max(int(floor(min(v0, v1) - Radius)), 0);
+  int vLast = min(int(floor(max(v0, v1) + Radius)), GridDimensions[AxisV] - 1);
+
+  // A voxel farther from the ray than this, centre to line, holds nothing that reaches the ray.
+  Real reach = Radius + Real(0.8661);
+  Real reach2 = reach * reach;
+
+  Real t = middleOfSlab(slab);
+  vec3 p = RayOrigin + RayDirection * t;
+  ivec3 voxel;
+  voxel[AxisW] = slab;
+  int lastCell = -1;
+  int brick = -1;
+  uvec4 record = uvec4(0u);
+  for (int v = vFirst; v <= vLast; ++v)
+  {
+    for (int u = uFirst; u <= uLast; ++u)
+    {
+      voxel[AxisU] = u;
+      voxel[AxisV] = v;
+      int cell =
+        ((voxel.z >> 2) * BrickDimensions.y + (voxel.y >> 2)) * BrickDimensions.x + (voxel.x >> 2);
+      if (cell != lastCell)
+      {
+        lastCell = cell;
+        brick = fetchBrickGrid(cell);
+        if (brick >= 0)
+        {
+          record = fetchBrick(brick);
+        }
+      }
+      if (brick < 0)
+      {
+        continue;
+      }
+      uint bit = uint((voxel.x & 3) | ((voxel.y & 3) << 2) | ((voxel.z & 3) << 4));
+      uint word = bit < 32u ? record.x : record.y;
+      if (((word >> (bit & 31u)) & 1u) == 0u)
+      {
+        continue;
+      }
+      vec3 local = p - vec3(voxel);
+      vec3 toCenter = vec3(Real(0.5)) - local;
+      Real along = dot(toCenter, RayDirection);
+      if (dot(toCenter, toCenter) - along * along > reach2)
+      {
+        continue;
+      }
+      uint below = word & ((1u << (bit & 31u)) - 1u);
+      uint rank = uint(countBits(below) + (bit < 32u ? 0 : countBits(record.x)));
+      uint first = record.z + fetchVoxelStart(record.w + rank);
+      uint end = record.z + fetchVoxelStart(record.w + rank + 1u);
+      beginCandidates(first, end, local);
+      for (uint segment = nextCandidate(first, end); segment < end;
+           segment = nextCandidate(segment + 1u, end))
+      {
+        visitSegment(segment, brick, voxel, local, t);
+      }
+    }
+  }
+}
+
+// Number of slabs, from this one on, in which the widened ray meets only empty bricks; the brick
+// grid tells how far the next brick is from the one in which the ray is in the slab's middle.
+int countEmptySlabs(int slab, int way)
+{
+  vec3 p = RayOrigin + RayDirection * middleOfSlab(slab);
+  ivec3 cell = clamp(ivec3(floor(p * Real(0.25))), ivec3(0), BrickDimensions - ivec3(1));
+  int distance =
+    -fetchBrickGrid((cell.z * BrickDimensions.y + cell.y) * BrickDimensions.x + cell.x);
+  if (distance <= 0)
+  {
+    return 0;
+  }
+  // The empty box around the cell; beyond the grid all is empty.
+  ivec3 low = (cell - ivec3(distance - 1)) * 4;
+  ivec3 high = (cell + ivec3(distance)) * 4;
+  Real perSlab = Real(1) / abs(RayDirection[AxisW]);
+  int count = way > 0 ? high[AxisW] - slab : slab - low[AxisW] + 1;
+  if (way > 0 ? high[AxisW] >= GridDimensions[AxisW] : low[AxisW] <= 0)
+  {
+    count = GridDimensions[AxisW];
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    int axis = i == 0 ? AxisU : AxisV;
+    Real step = RayDirection[axis] * perSlab;
+    Real reach = (Real(0.5) + Radius) * abs(step) + Radius;
+    Real lowest = low[axis] <= 0 ? -Beyond : Real(low[axis]) + reach;
+    Real highest = high[axis] >= GridDimensions[axis] ? Beyond : Real(high[axis]) - reach;
+    if (p[axis] < lowest || p[axis] > highest)
+    {
+      return 0;
+    }
+    Real room = step > Real(0) ? highest - p[axis] : p[axis] - lowest;
+    Real slabs = room / max(abs(step), Real(1e-9));
+    count = slabs < Real(count) ? min(count, int(slabs) + 1) : count;
+  }
+  return count;
+}
+
+// Narrows an interval of the ray to the grid, widened by the radius.
+void clipToGrid(LS_INOUT(Real) start, LS_INOUT(Real) end)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Real d = RayDirection[axis];
+    Real o = RayOrigin[axis];
+    Real size = Real(GridDimensions[axis]);
+    if (abs(d) < Real(1e-9))
+    {
+      if (o < -Radius || o > size + Radius)
+      {
+        end = start - Real(1);
+      }
+      continue;
+    }
+    Real t0 = (-Radius - o) / d;
+    Real t1 = (size + Radius - o) / d;
+    start = max(start, min(t0, t1));
+    end = min(end, max(t0, t1));
+  }
+}
+
+void castRay(vec3 origin, vec3 direction, Real start, Real end)
+{
+  RayOrigin = origin;
+  RayDirection = direction;
+  RayStart = start;
+  RayEnd = end;
+  HitCount = 0;
+  ActiveCount = 0;
+  OverflowEntry = Beyond;
+  OverflowSegment = 0u;
+  LastEntry = -Beyond;
+  LastSegment = 0u;
+  Resuming = false;
+  RayColor = vec3(Real(0));
+  RayOpacity = Real(0);
+  FirstDistance = Real(0);
+  FirstCurve = -1;
+  HasLayer = false;
+  Forgot = false;
+  Finished = false;
+
+  Real gridStart = start;
+  Real gridEnd = end;
+  clipToGrid(gridStart, gridEnd);
+  if (!(gridStart < gridEnd))
+  {
+    return;
+  }
+
+  beginRay();
+  vec3 size = abs(direction);
+  AxisW = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+  AxisU = AxisW == 2 ? 0 : AxisW + 1;
+  AxisV = AxisU == 2 ? 0 : AxisU + 1;
+
+  int slabs = GridDimensions[AxisW];
+  int way = direction[AxisW] > Real(0) ? 1 : -1;
+  Real widening = Real(way) * Radius;
+  Real atStart = origin[AxisW] + direction[AxisW] * gridStart - widening;
+  Real atEnd = origin[AxisW] + direction[AxisW] * gridEnd + widening;
+  int firstSlab = clamp(int(floor(atStart)), 0, slabs - 1);
+  int lastSlab = clamp(int(floor(atEnd)), 0, slabs - 1);
+  int resumeEnd = firstSlab;
+  Real perUnit = Real(1) / direction[AxisW];
+
+  int slab = firstSlab;
+  while (!Finished)
+  {
+    bool past = way > 0 ? slab > lastSlab : slab < lastSlab;
+    // Hits of this slab and later ones begin behind this distance.
+    Real from = past
+      ? Beyond
+      : (Real(way > 0 ? slab : slab + 1) - widening - origin[AxisW]) * perUnit;
+    if (!blendHits(from))
+    {
+      Real back = origin[AxisW] + direction[AxisW] * OverflowEntry - widening;
+      resumeEnd = slab;
+      slab = clamp(int(floor(back)) - way, 0, slabs - 1);
+      slab = way > 0 ? max(slab, firstSlab) : min(slab, firstSlab);
+      HitCount = 0;
+      OverflowEntry = Beyond;
+      Resuming = true;
+      continue;
+    }
+    if (past || Finished || from > RayEnd)
+    {
+      break;
+    }
+    int empty = countEmptySlabs(slab, way);
+    if (empty > 0)
+    {
+      slab += way * empty;
+      continue;
+    }
+    if (Resuming && (way > 0 ? slab > resumeEnd : slab < resumeEnd))
+    {
+      Resuming = false;
+    }
+    Real to = (Real(way > 0 ? slab + 1 : slab) + widening - origin[AxisW]) * perUnit;
+    visitSlab(slab, from, to);
+    slab += way;
+  }
+}
