@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Draws the lines of a file as tubes, into a window or a picture.
+ *
+ *   RenderLines FILE [--radius R] [--opacity A] [--color-by ARRAY] [--size WxH] [--output PNG]
+ *
+ * FILE is anything VTK reads by itself (.vtp, .vtk, ...). The radius is in data units, by default a
+ * thousandth of the diagonal of the data. Without --output an interactive window opens.
+ */
+
+#include "vtkVoxelLineMapper.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkGenericDataObjectReader.h"
+#include "vtkGeometryFilter.h"
+#include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkWindowToImageFilter.h"
+#include "vtkXMLGenericDataObjectReader.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+const char* const Usage = "usage: RenderLines FILE [--radius R] [--opacity A] [--color-by ARRAY] "
+                          "[--size WxH] [--output PNG]\n";
+
+struct Options
+{
+  std::string File;
+  double Radius = 0.0; // 0: a thousandth of the diagonal
+  double Opacity = 1.0;
+  std::string ColorBy;
+  int Size[2] = { 1024, 768 };
+  std::string Output;
+};
+
+double ParseNumber(const std::string& option, const std::string& text)
+{
+  std::size_t end = 0;
+  double number = 0.0;
+  try
+  {
+    number = std::stod(text, &end);
+  }
+  catch (const std::exception&)
+  {
+    end = 0;
+  }
+  if (end == 0 || end != text.size())
+  {
+    throw std::runtime_error(option + " takes a number, not \"" + text + "\"");
+  }
+  return number;
+}
+
+Options ParseOptions(int argc, char* argv[])
+{
+  Options options;
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string argument = argv[i];
+    if (argument.rfind("--", 0) != 0)
+    {
+      if (!options.File.empty())
+      {
+        throw std::runtime_error("one file at a time, please: " + argument);
+      }
+      options.File = argument;
+      continue;
+    }
+    if (i + 1 == argc)
+    {
+      throw std::runtime_error(argument + " takes a value");
+    }
+    const std::string value = argv[++i];
+    char rest = 0;
+    if (argument == "--radius")
+    {
+      options.Radius = ParseNumber(argument, value);
+    }
+    else if (argument == "--opacity")
+    {
+      options.Opacity = ParseNumber(argument, value);
+    }
+    else if (argument == "--color-by")
+    {
+      options.ColorBy = value;
+    }
+    else if (argument == "--output")
+    {
+      options.Output = value;
+    }
+    else if (argument != "--size")
+    {
+      throw std::runtime_error("unknown option " + argument);
+    }
+    else if (std::sscanf(value.c_str(), "%dx%d%c", options.Size, options.Size + 1, &rest) != 2 ||
+      options.Size[0] < 1 || options.Size[1] < 1)
+    {
+      throw std::runtime_error("--size takes a width and a height such as 1024x768");
+    }
+  }
+  if (options.File.empty())
+  {
+    throw std::runtime_error("no file was named");
+  }
+  return options;
+}
+
+template <typename ReaderT>
+vtkSmartPointer<vtkDataObject> Read(const std::string& file)
+{
+  vtkNew<ReaderT> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetOutputDataObject(0);
+}
+
+vtkSmartPointer<vtkPolyData> ReadLines(const std::string& file)
+{
+  const bool legacy = file.size() > 4 && file.compare(file.size() - 4, 4, ".vtk") == 0;
+  vtkSmartPointer<vtkDataObject> data =
+    legacy ? Read<vtkGenericDataObjectReader>(file) : Read<vtkXMLGenericDataObjectReader>(file);
+  vtkSmartPointer<vtkPolyData> lines = vtkPolyData::SafeDownCast(data);
+  if (!lines && vtkDataSet::SafeDownCast(data))
+  {
+    vtkNew<vtkGeometryFilter> toPolyData;
+    toPolyData->SetInputData(data);
+    toPolyData->Update();
+    lines = toPolyData->GetOutput();
+  }
+  if (!lines)
+  {
+    throw std::runtime_error(file + " holds no data set that VTK can read");
+  }
+  if (lines->GetNumberOfLines() == 0)
+  {
+    throw std::runtime_error(file + " holds no lines");
+  }
+  return lines;
+}
+
+void ColorBy(const std::string& name, vtkPolyData* lines, vtkMapper* mapper)
+{
+  vtkDataArray* array = lines->GetPointData()->GetArray(name.c_str());
+  mapper->SetScalarModeToUsePointFieldData();
+  if (!array)
+  {
+    array = lines->GetCellData()->GetArray(name.c_str());
+    mapper->SetScalarModeToUseCellFieldData();
+  }
+  if (!array)
+  {
+    std::string names;
+    for (vtkFieldData* fields : { static_cast<vtkFieldData*>(lines->GetPointData()),
+           static_cast<vtkFieldData*>(lines->GetCellData()) })
+    {
+      for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+      {
+        names += std::string(" ") + (fields->GetArrayName(i) ? fields->GetArrayName(i) : "");
+      }
+    }
+    throw std::runtime_error(
+      "there is no array \"" + name + "\", but" + (names.empty() ? " none" : names));
+  }
+
+  // From dark blue over green to yellow. Vectors are coloured by magnitude; NaN does not count for
+  // the range.
+  double range[2];
+  array->GetFiniteRange(range, array->GetNumberOfComponents() > 1 ? -1 : 0);
+  vtkNew<vtkColorTransferFunction> table;
+  const double colors[5][3] = { { 0.267, 0.005, 0.329 }, { 0.231, 0.322, 0.545 },
+    { 0.129, 0.569, 0.549 }, { 0.369, 0.788, 0.384 }, { 0.993, 0.906, 0.144 } };
+  for (int i = 0; i < 5; ++i)
+  {
+    table->AddRGBPoint(
+      range[0] + 0.25 * i * (range[1] - range[0]), colors[i][0], colors[i][1], colors[i][2]);
+  }
+  table->SetNanColor(0.5, 0.5, 0.5);
+  if (array->GetNumberOfComponents() > 1)
+  {
+    table->SetVectorModeToMagnitude();
+  }
+  mapper->SetLookupTable(table);
+  mapper->UseLookupTableScalarRangeOn();
+  mapper->SelectColorArray(name.c_str());
+  mapper->ScalarVisibilityOn();
+}
+
+void Write(vtkRenderWindow* window, const std::string& file)
+{
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(window);
+  picture->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetFileName(file.c_str());
+  writer->Write();
+  if (writer->GetErrorCode() != 0)
+  {
+    throw std::runtime_error("could not write " + file);
+  }
+  std::cout << file << "\n";
+}
+
+void Render(const Options& options)
+{
+  vtkSmartPointer<vtkPolyData> lines = ReadLines(options.File);
+  vtkNew<vtkVoxelLineMapper> mapper;
+  mapper->SetInputData(lines);
+  mapper->SetRadius(options.Radius > 0.0 ? options.Radius : 0.001 * lines->GetLength());
+  mapper->ScalarVisibilityOff();
+  if (!options.ColorBy.empty())
+  {
+    ColorBy(options.ColorBy, lines, mapper);
+  }
+
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetOpacity(options.Opacity);
+  actor->GetProperty()->SetColor(0.2, 0.45, 0.7);
+  actor->GetProperty()->SetSpecular(0.3);
+  actor->GetProperty()->SetSpecularPower(30.0);
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  renderer->SetBackground(1.0, 1.0, 1.0);
+  vtkNew<vtkRenderWindow> window;
+  window->SetWindowName("RenderLines");
+  window->SetMultiSamples(0);
+  window->AddRenderer(renderer);
+  window->SetOffScreenRendering(!options.Output.empty());
+  window->SetSize(options.Size[0], options.Size[1]);
+  renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
+  renderer->GetActiveCamera()->SetPosition(0.0, -1.0, 0.3);
+  renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
+  renderer->ResetCamera();
+  renderer->ResetCameraScreenSpace();
+
+  if (!options.Output.empty())
+  {
+    window->Render();
+    Write(window, options.Output);
+    return;
+  }
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  interactor->SetInteractorStyle(style);
+  interactor->SetRenderWindow(window);
+  window->Render();
+  interactor->Start();
+}
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    Render(ParseOptions(argc, argv));
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "RenderLines: " << error.what() << "\n" << Usage;
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws the lines of a file (.vtp, .vtk) as tubes, into a window or a picture."""
+import argparse
+
+import vtkmodules.vtkInteractionStyle
+from linesets import vtkVoxelLineMapper
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor, vtkWindowToImageFilter)
+
+parser = argparse.ArgumentParser(description=__doc__)
+parser.add_argument("file")
+parser.add_argument("--radius", type=float, help="in data units; default 0.001 of the diagonal")
+parser.add_argument("--opacity", type=float, default=1.0)
+parser.add_argument("--color-by", metavar="ARRAY", help="of points or cells; vectors by magnitude")
+parser.add_argument("--size", default="1024x768", metavar="WxH")
+parser.add_argument("--output", metavar="PNG", help="without it, a window opens")
+options = parser.parse_args()
+
+reader = vtkPolyDataReader() if options.file.endswith(".vtk") else vtkXMLPolyDataReader()
+reader.SetFileName(options.file)
+reader.Update()
+lines = reader.GetOutput()
+mapper = vtkVoxelLineMapper()
+mapper.SetInputData(lines)
+mapper.SetRadius(options.radius or 0.001 * lines.GetLength())
+mapper.SetScalarVisibility(options.color_by is not None)
+if options.color_by:
+    on_points = lines.GetPointData().HasArray(options.color_by)
+    array = (lines.GetPointData() if on_points else lines.GetCellData()).GetArray(options.color_by)
+    table = vtkLookupTable()
+    table.SetVectorModeToMagnitude()
+    table.SetTableRange(array.GetFiniteRange(-1 if array.GetNumberOfComponents() > 1 else 0))
+    mapper.SetLookupTable(table)
+    mapper.UseLookupTableScalarRangeOn()
+    mapper.SetScalarMode(3 if on_points else 4)  # VTK_SCALAR_MODE_USE_..._FIELD_DATA
+    mapper.SelectColorArray(options.color_by)
+actor, renderer, window = vtkActor(), vtkRenderer(), vtkRenderWindow()
+actor.SetMapper(mapper)
+actor.GetProperty().SetOpacity(options.opacity)
+renderer.AddActor(actor)
+renderer.SetBackground(1, 1, 1)
+window.AddRenderer(renderer)
+window.SetSize([int(length) for length in options.size.split("x")])
+window.SetOffScreenRendering(options.output is not None)
+window.Render()
+if options.output:
+    picture, writer = vtkWindowToImageFilter(), vtkPNGWriter()
+    picture.SetInput(window)
+    writer.SetInputConnection(picture.GetOutputPort())
+    writer.SetFileName(options.output)
+    writer.Write()
+else:
+    interactor = vtkRenderWindowInteractor()
+    interactor.SetRenderWindow(window)
+    interactor.Start()
