@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the traversal asks of an engine, for a fragment shader: settings as uniforms, the model
+// in texture buffers. //LineSets::Constants is replaced by the constants of the frame's kind.
+
+#define Real float
+#define LS_OUT(T) out T
+#define LS_INOUT(T) inout T
+
+const int HitCapacity = 16;
+const int ActiveCapacity = 32;
+const float Beyond = 1e30;
+
+//LineSets::Constants
+
+uniform vec3 RayOrigins[3];
+uniform vec3 RayDirections[3];
+uniform float NearestS;
+uniform float FarthestS;
+uniform vec2 DepthZ;
+uniform vec2 DepthW;
+uniform vec4 Planes[MaximumPlanes];
+uniform vec3 GridSize;
+uniform vec3 BrickGridSize;
+uniform float Radius;
+uniform vec3 AmbientColor;
+uniform vec3 DiffuseColor;
+uniform vec3 SpecularColor;
+uniform float Ambient;
+uniform float Diffuse;
+uniform float SpecularPower;
+uniform float Opacity;
+uniform float EarlyTermination;
+uniform mat4 ViewFromLocal;
+uniform mat3 NormalFromLocal;
+uniform int LightKind[MaximumLights];
+uniform vec3 LightDirection[MaximumLights];
+uniform vec3 LightPosition[MaximumLights];
+uniform vec3 LightColor[MaximumLights];
+uniform vec3 LightAttenuation[MaximumLights];
+uniform vec2 LightSpot[MaximumLights];
+
+uniform isamplerBuffer BrickGrid;
+uniform usamplerBuffer Bricks;
+uniform usamplerBuffer VoxelStarts;
+uniform usamplerBuffer Segments;
+uniform usamplerBuffer CurveIdExtension;
+uniform usamplerBuffer BrickCurves;
+uniform samplerBuffer Attributes;
+uniform samplerBuffer Radii;
+uniform samplerBuffer ColorTable;
+uniform sampler2D SceneDepth;
+
+// Set from the uniforms by main().
+ivec3 GridDimensions;
+ivec3 BrickDimensions;
+
+int fetchBrickGrid(int cell)
+{
+  return texelFetch(BrickGrid, cell).r;
+}
+
+uvec4 fetchBrick(int brick)
+{
+  int i = 5 * brick;
+  return uvec4(texelFetch(Bricks, i).r, texelFetch(Bricks, i + 1).r, texelFetch(Bricks, i + 2).r,
+    texelFetch(Bricks, i + 3).r);
+}
+
+uint fetchBrickFirstCurve(int brick)
+{
+  return texelFetch(Bricks, 5 * brick + 4).r;
+}
+
+uint fetchVoxelStart(uint i)
+{
+  return texelFetch(VoxelStarts, int(i)).r;
+}
+
+uint fetchSegmentWord(uint i)
+{
+  return texelFetch(Segments, int(i)).r;
+}
+
+uint fetchIdExtension(uint i)
+{
+  return texelFetch(CurveIdExtension, int(i)).r;
+}
+
+uint fetchBrickCurve(uint i)
+{
+  return texelFetch(BrickCurves, int(i)).r;
+}
+
+// Attributes are normalized bytes.
+float fetchScalar(uint i)
+{
+  return floor(texelFetch(Attributes, int(i)).r * 255.0 + 0.5);
+}
+
+vec4 fetchColor(uint i)
+{
+  return texelFetch(Attributes, int(i));
+}
+
+float fetchRadius(uint i)
+{
+  return texelFetch(Radii, int(i)).r;
+}
+
+vec4 fetchTable(int i)
+{
+  return texelFetch(ColorTable, i);
+}
+
+// OpenGL 3.2 has no bitCount() and no uintBitsToFloat().
+int countBits(uint word)
+{
+  word = word - ((word >> 1u) & 0x55555555u);
+  word = (word & 0x33333333u) + ((word >> 2u) & 0x33333333u);
+  return int((((word + (word >> 4u)) & 0x0f0f0f0fu) * 0x01010101u) >> 24u);
+}
+
+// The number that the bits of a 32-bit float mean; coordinates in [0,1], never infinite or NaN.
+float exactValue(uint word)
+{
+  uint exponent = (word >> 23u) & 255u;
+  if (exponent == 0u)
+  {
+    return 0.0;
+  }
+  float mantissa = float((word & 0x7fffffu) | 0x800000u);
+  return mantissa * exp2(float(int(exponent) - 150));
+}
+
+// The traversal intersects every segment: there is nothing faster to leave them out by.
+void beginRay()
+{
+}
+
+void beginCandidates(uint first, uint end, vec3 local)
+{
+}
+
+uint nextCandidate(uint segment, uint end)
+{
+  return segment;
+}

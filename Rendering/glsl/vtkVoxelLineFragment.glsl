@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Main function of the ray casting shader: colour (not multiplied by opacity) to the first target;
+// depth, and whether an exit had to be forgotten, to the second one.
+
+void main()
+{
+  GridDimensions = ivec3(GridSize + vec3(0.5));
+  BrickDimensions = ivec3(BrickGridSize + vec3(0.5));
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  float sceneDepth = HasScene ? texelFetch(SceneDepth, pixel, 0).r : 1.0;
+  vec4 color;
+  float depth;
+  castPixel(float(pixel.x) + 0.5, float(pixel.y) + 0.5, sceneDepth, color, depth);
+  gl_FragData[0] = color;
+  gl_FragData[1] = vec4(depth, Forgot ? 1.0 : 0.0, 0.0, 0.0);
+}
