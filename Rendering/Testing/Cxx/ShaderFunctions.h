@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   the pure shader functions compiled as C++, in single or double precision
+ */
+
+#ifndef ShaderFunctions_h
+#define ShaderFunctions_h
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace ShaderTesting
+{
+using namespace glm;
+
+#define LS_OUT(T) T&
+#define LS_INOUT(T) T&
+
+template <typename R>
+struct Functions
+{
+  using Real = R;
+  using uint = std::uint32_t;
+  using vec2 = glm::vec<2, R>;
+  using vec3 = glm::vec<3, R>;
+  using vec4 = glm::vec<4, R>;
+
+  int LightCount = 0;
+  std::vector<int> LightKind;
+  std::vector<vec3> LightDirection;
+  std::vector<vec3> LightPosition;
+  std::vector<vec3> LightColor;
+  std::vector<vec3> LightAttenuation;
+  std::vector<vec2> LightSpot;
+  vec3 SpecularColor = vec3(R(0));
+  Real SpecularPower = R(1);
+
+#include "glsl/vtkVoxelLinePacking.glsl"
+
+#include "glsl/vtkVoxelLineCapsule.glsl"
+
+#include "glsl/vtkVoxelLineShading.glsl"
+};
+
+#undef LS_OUT
+#undef LS_INOUT
+}
+
+#endif
