@@ -110,6 +110,7 @@ struct RayCaster
 
   static constexpr int HitCapacity = 64;
   static constexpr int ActiveCapacity = 256;
+  static constexpr int InsideCapacity = 32;
   static constexpr Real Beyond = 1e30f;
 
   RayCaster(vtkVoxelLineModel* source, const vtkVoxelLineFrame& settings)
@@ -132,7 +133,6 @@ struct RayCaster
     , HasNaN(settings.HasNaN)
     , Lighting(settings.Lighting && !settings.Picking)
     , Picking(settings.Picking)
-    , Parallel(settings.Parallel)
     , AmbientColor(settings.AmbientColor)
     , DiffuseColor(settings.DiffuseColor)
     , SpecularColor(settings.SpecularColor * settings.Specular)
@@ -322,7 +322,6 @@ struct RayCaster
   bool HasNaN;
   bool Lighting;
   bool Picking;
-  bool Parallel;
   vec3 AmbientColor;
   vec3 DiffuseColor;
   vec3 SpecularColor;

@@ -141,7 +141,6 @@ std::string MakeConstants(
   constant("bool", "HasNaN", frame.HasNaN ? 1 : 0);
   constant("bool", "Lighting", frame.Lighting && !frame.Picking ? 1 : 0);
   constant("bool", "Picking", frame.Picking ? 1 : 0);
-  constant("bool", "Parallel", frame.Parallel ? 1 : 0);
   constant("bool", "AllOpaque", frame.IsOpaque() ? 1 : 0);
   constant("bool", "HasScene", hasScene ? 1 : 0);
   return os.str();

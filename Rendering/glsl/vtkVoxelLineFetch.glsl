@@ -10,6 +10,7 @@
 
 const int HitCapacity = 16;
 const int ActiveCapacity = 32;
+const int InsideCapacity = 4;
 const float Beyond = 1e30;
 
 //LineSets::Constants

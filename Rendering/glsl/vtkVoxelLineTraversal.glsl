@@ -16,13 +16,14 @@
 // A curve gives one layer for each stretch of the ray inside its tubes: hits come in order of entry,
 // and one that begins before its curve's last exit only prolongs that stretch.
 //
-// Where the ray starts inside a tube (camera or clipping plane inside), the tube's far wall is seen.
+// Where the ray starts inside a tube (camera or clipping plane inside), the tube's far wall is seen:
+// its layer is put off until the ray leaves the tube.
 //
 // The engine supplies what vtkVoxelLineFrame and vtkVoxelLineModel tell: GridDimensions,
 // BrickDimensions, Radius, HasRadii, SegmentWords, FaceBits, InteriorBins, IdExtension, Coloring,
 // HasNaN, AmbientColor, DiffuseColor, Ambient, Diffuse, Opacity, Lighting, AllOpaque, Picking,
-// EarlyTermination, NormalFromLocal, ViewFromLocal, Parallel; the constants HitCapacity and
-// ActiveCapacity and Beyond, a distance that no ray reaches; and
+// EarlyTermination, NormalFromLocal, ViewFromLocal; the constants HitCapacity, ActiveCapacity,
+// InsideCapacity and Beyond, a distance that no ray reaches; and
 //   int fetchBrickGrid(int), uvec4 fetchBrick(int), uint fetchBrickFirstCurve(int),
 //   uint fetchVoxelStart(uint), uint fetchSegmentWord(uint), uint fetchIdExtension(uint),
 //   uint fetchBrickCurve(uint), Real fetchScalar(uint), vec4 fetchColor(uint), Real fetchRadius(uint),
@@ -36,6 +37,7 @@ vec3 RayOrigin;
 vec3 RayDirection;
 Real RayStart;
 Real RayEnd;
+Real RayLimit; // RayEnd before opaque hits shortened it
 int AxisU; // the two minor axes and the major one, along which the slabs lie
 int AxisV;
 int AxisW;
@@ -47,6 +49,18 @@ Real HitLeave[HitCapacity];
 uint HitSegment[HitCapacity];
 int HitBrick[HitCapacity];
 ivec3 HitVoxel[HitCapacity];
+
+// Layers of tubes in which the ray starts, put off until it leaves them.
+int InsideCount;
+Real InsideLeave[InsideCapacity];
+uint InsideSegment[InsideCapacity];
+int InsideBrick[InsideCapacity];
+ivec3 InsideVoxel[InsideCapacity];
+
+// Whether the ray starts inside a tube.
+bool StartsInside;
+// Whether an opaque hit ends the search; not while tubes around the ray's start may yet be found.
+bool Shortening;
 
 // First hit that did not fit.
 Real OverflowEntry;
@@ -222,8 +236,7 @@ void visitSegment(uint segment, int brick, ivec3 voxel, vec3 local, Real t)
   }
   entry += t;
   leave += t;
-  // From inside, the far wall is what is seen; it must lie in the visible part of the ray.
-  if (leave < RayStart || (entry < RayStart ? leave : entry) > RayEnd)
+  if (leave < RayStart || (entry >= RayStart && entry > RayEnd))
   {
     return;
   }
@@ -231,9 +244,13 @@ void visitSegment(uint segment, int brick, ivec3 voxel, vec3 local, Real t)
   {
     return;
   }
-  if (AllOpaque)
+  if (entry < RayStart)
   {
-    RayEnd = min(RayEnd, entry < RayStart ? leave : entry);
+    StartsInside = true;
+  }
+  else if (Shortening && !StartsInside)
+  {
+    RayEnd = entry;
   }
   keepHit(entry, leave, segment, brick, voxel);
 }
@@ -286,20 +303,9 @@ bool beginsStretch(uint curve, Real entry, Real leave)
   return true;
 }
 
-void blendHit(Real entry, Real leave, uint segment, int brick, ivec3 voxel)
+// Shades the segment where the ray meets its wall and blends it as the next layer.
+void blendLayer(Real seen, bool fromInside, uint segment, int brick, ivec3 voxel)
 {
-  uint curve = 0u;
-  if (Picking || !AllOpaque)
-  {
-    curve = fetchCurve(segment, brick);
-  }
-  if (!AllOpaque && !beginsStretch(curve, entry, leave))
-  {
-    return;
-  }
-  bool fromInside = entry < RayStart;
-  Real seen = fromInside ? leave : entry;
-
   vec3 a;
   vec3 b;
   Real ra;
@@ -318,7 +324,7 @@ void blendHit(Real entry, Real leave, uint segment, int brick, ivec3 voxel)
   {
     HasLayer = true;
     FirstDistance = seen;
-    FirstCurve = int(curve);
+    FirstCurve = Picking ? int(fetchCurve(segment, brick)) : 0;
   }
   vec3 shade = vec3(color);
   if (Lighting)
@@ -326,15 +332,71 @@ void blendHit(Real entry, Real leave, uint segment, int brick, ivec3 voxel)
     vec3 normal = normalize(NormalFromLocal * tubeNormal(x, a, b, ra, rb));
     normal = fromInside ? -normal : normal;
     vec3 position = vec3(ViewFromLocal * vec4(x + vec3(voxel), Real(1)));
-    vec3 viewer = Parallel ? vec3(Real(0), Real(0), Real(1)) : normalize(-position);
     vec3 ambient = Coloring == 0 ? AmbientColor : shade;
-    shade = lightSurface(position, normal, viewer, ambient * Ambient, shade * Diffuse);
+    shade = lightSurface(position, normal, normalize(-position), ambient * Ambient, shade * Diffuse);
   }
   shade = clamp(shade, Real(0), Real(1));
   Real weight = (Real(1) - RayOpacity) * color.w;
   RayColor += shade * weight;
   RayOpacity += weight;
   Finished = RayOpacity >= EarlyTermination || color.w >= Real(1);
+}
+
+void blendHit(Real entry, Real leave, uint segment, int brick, ivec3 voxel)
+{
+  // Opaque lines seen from outside need no stretches: the first hit is all.
+  if ((StartsInside || !AllOpaque) && !beginsStretch(fetchCurve(segment, brick), entry, leave))
+  {
+    return;
+  }
+  if (entry >= RayStart)
+  {
+    blendLayer(entry, false, segment, brick, voxel);
+  }
+  else if (leave > RayLimit)
+  {
+    return; // the far wall is hidden
+  }
+  else if (InsideCount < InsideCapacity)
+  {
+    InsideLeave[InsideCount] = leave;
+    InsideSegment[InsideCount] = segment;
+    InsideBrick[InsideCount] = brick;
+    InsideVoxel[InsideCount] = voxel;
+    InsideCount = InsideCount + 1;
+  }
+  else
+  {
+    Forgot = true;
+    blendLayer(leave, true, segment, brick, voxel);
+  }
+}
+
+// Blends the layers that were put off and come before a distance.
+void blendInside(Real limit)
+{
+  while (InsideCount > 0 && !Finished)
+  {
+    int first = 0;
+    for (int i = 1; i < InsideCount; ++i)
+    {
+      first = InsideLeave[i] < InsideLeave[first] ? i : first;
+    }
+    if (InsideLeave[first] >= limit)
+    {
+      return;
+    }
+    Real leave = InsideLeave[first];
+    uint segment = InsideSegment[first];
+    int brick = InsideBrick[first];
+    ivec3 voxel = InsideVoxel[first];
+    InsideCount = InsideCount - 1;
+    InsideLeave[first] = InsideLeave[InsideCount];
+    InsideSegment[first] = InsideSegment[InsideCount];
+    InsideBrick[first] = InsideBrick[InsideCount];
+    InsideVoxel[first] = InsideVoxel[InsideCount];
+    blendLayer(leave, true, segment, brick, voxel);
+  }
 }
 
 // Blends, in order, the waiting hits that begin before a distance. Returns whether all of them could
@@ -357,6 +419,14 @@ bool blendHits(Real limit)
     {
       break;
     }
+    if (InsideCount > 0)
+    {
+      blendInside(entry);
+      if (Finished)
+      {
+        break;
+      }
+    }
     Real leave = HitLeave[first];
     int brick = HitBrick[first];
     ivec3 voxel = HitVoxel[first];
@@ -370,7 +440,12 @@ bool blendHits(Real limit)
     LastSegment = segment;
     blendHit(entry, leave, segment, brick, voxel);
   }
-  return Finished || OverflowEntry >= limit;
+  if (OverflowEntry < limit && !Finished)
+  {
+    return false;
+  }
+  blendInside(limit);
+  return true;
 }
 
 // --- Slabs -------------------------------------------------------------------------------------------
@@ -514,7 +589,10 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
   RayDirection = direction;
   RayStart = start;
   RayEnd = end;
+  RayLimit = end;
   HitCount = 0;
+  InsideCount = 0;
+  StartsInside = false;
   ActiveCount = 0;
   OverflowEntry = Beyond;
   OverflowSegment = 0u;
@@ -572,9 +650,15 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
       Resuming = true;
       continue;
     }
-    if (past || Finished || from > RayEnd)
+    if (past || Finished)
     {
       break;
+    }
+    if (from > RayEnd)
+    {
+      // Nothing that follows is visible: blend what waits.
+      lastSlab = slab - way;
+      continue;
     }
     int empty = countEmptySlabs(slab, way);
     if (empty > 0)
@@ -586,6 +670,7 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
     {
       Resuming = false;
     }
+    Shortening = AllOpaque && from >= RayStart;
     Real to = (Real(way > 0 ? slab + 1 : slab) + widening - origin[AxisW]) * perUnit;
     visitSlab(slab, from, to);
     slab += way;
