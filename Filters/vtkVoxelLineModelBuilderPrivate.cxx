@@ -1,0 +1,504 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVoxelLineModelBuilderPrivate.h"
+
+#include "vtkNew.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+#include "vtkFloatArray.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeUInt16Array.h"
+#include "vtkTypeUInt32Array.h"
+#include "vtkTypeUInt8Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVoxelLineDistancePrivate.h"
+#include "vtkVoxelLineModel.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstring>
+
+namespace vtkLineVoxelizerPrivate
+{
+
+namespace
+{
+
+constexpr std::size_t VoxelsPerBrick = 64;
+constexpr vtkIdType BricksPerTask = 64;
+constexpr int WordsPerRow = 5;
+constexpr vtkIdType SegmentsPerTask = 65536;
+
+template <typename T>
+void CopyTo(const std::vector<T>& source, T* target)
+{
+  std::copy(source.begin(), source.end(), target);
+}
+
+template <typename T>
+void Release(std::vector<T>& values)
+{
+  std::vector<T>().swap(values);
+}
+
+template <typename ArrayT>
+vtkSmartPointer<ArrayT> MakeArray(int components, std::size_t tuples)
+{
+  auto array = vtkSmartPointer<ArrayT>::New();
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  return array;
+}
+
+/// Call worker(cell, first, size) for each run of segments in the same cell: curves are coherent, so
+/// that this saves most of the atomic operations.
+template <typename WorkerT>
+void ForEachRun(const std::uint32_t* cells, vtkIdType begin, vtkIdType end, WorkerT&& worker)
+{
+  while (begin < end)
+  {
+    vtkIdType last = begin + 1;
+    while (last < end && cells[last] == cells[begin])
+    {
+      ++last;
+    }
+    worker(cells[begin], static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(last - begin));
+    begin = last;
+  }
+}
+
+}
+
+/// What a task has of its bricks until the sizes of all are known.
+struct ModelBuilder::Assembly
+{
+  std::vector<std::uint32_t> VoxelStarts;
+  std::vector<std::uint32_t> Curves;
+  std::int64_t NumberOfDuplicates = 0;
+  std::uint32_t LargestBrickCurves = 0;
+};
+
+/// Writes the segments of one brick after the other to their final place.
+class ModelBuilder::BrickWriter
+{
+public:
+  void Write(ModelBuilder& builder, std::size_t brick, Assembly& assembly, vtkVoxelLineModel* model);
+
+private:
+  void ListCurves(const ModelBuilder& builder, Assembly& assembly);
+  std::int64_t CountDuplicates(
+    const vtkVoxelLineEncoding::Codec& codec, const std::uint32_t* words, std::size_t size);
+
+  /// Emission indices of the brick's segments in ascending order, and the local id of their curves.
+  std::vector<std::uint32_t> Emissions;
+  std::vector<std::uint32_t> LocalIds;
+  std::vector<std::array<std::uint32_t, 6>> Keys;
+};
+
+//------------------------------------------------------------------------------
+ModelBuilder::ModelBuilder(const Grid& grid, int faceBins, const Payload& payload)
+  : Cells(grid)
+  , Codec(faceBins)
+  , Values(payload)
+{
+}
+
+//------------------------------------------------------------------------------
+void ModelBuilder::TakeSegments(std::vector<Trace>& blocks)
+{
+  std::vector<std::size_t> starts(1, 0);
+  for (const Trace& block : blocks)
+  {
+    for (std::uint32_t size : block.CurveSizes)
+    {
+      this->CurveStarts.push_back(static_cast<std::uint32_t>(this->NumberOfSegments));
+      this->NumberOfSegments += size;
+    }
+    starts.push_back(this->NumberOfSegments);
+  }
+  this->CurveStarts.push_back(static_cast<std::uint32_t>(this->NumberOfSegments));
+
+  const std::size_t words = static_cast<std::size_t>(this->Codec.Words);
+  const std::size_t attributes = 2 * static_cast<std::size_t>(this->Values.AttributeSize);
+  const std::size_t radii = this->Values.HasRadii ? 2 : 0;
+  this->SegmentCells.Allocate(this->NumberOfSegments);
+  this->VoxelBits.Allocate(this->NumberOfSegments);
+  this->Words.Allocate(words * this->NumberOfSegments);
+  this->Attributes.Allocate(attributes * this->NumberOfSegments);
+  this->Radii.Allocate(radii * this->NumberOfSegments);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(blocks.size()), 1, [&](vtkIdType begin, vtkIdType end) {
+    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+    {
+      Trace& block = blocks[i];
+      CopyTo(block.Cells, this->SegmentCells.Get(starts[i]));
+      CopyTo(block.VoxelBits, this->VoxelBits.Get(starts[i]));
+      CopyTo(block.Words, this->Words.Get(words * starts[i]));
+      CopyTo(block.Attributes, this->Attributes.Get(attributes * starts[i]));
+      CopyTo(block.Radii, this->Radii.Get(radii * starts[i]));
+      block = Trace();
+    }
+  });
+  Release(blocks);
+}
+
+//------------------------------------------------------------------------------
+void ModelBuilder::SortIntoBricks()
+{
+  const int* bricks = this->Cells.BrickDimensions;
+  const std::size_t numberOfCells =
+    static_cast<std::size_t>(bricks[0]) * static_cast<std::size_t>(bricks[1]) * static_cast<std::size_t>(bricks[2]);
+  const vtkIdType numberOfSegments = static_cast<vtkIdType>(this->NumberOfSegments);
+  const std::uint32_t* cells = this->SegmentCells.Get();
+  // Counts first, cursors later.
+  std::unique_ptr<std::atomic<std::uint32_t>[]> cursors(
+    new std::atomic<std::uint32_t>[numberOfCells]());
+  vtkSMPTools::For(0, numberOfSegments, SegmentsPerTask, [&](vtkIdType begin, vtkIdType end) {
+    ForEachRun(cells, begin, end, [&](std::uint32_t cell, std::uint32_t, std::uint32_t size) {
+      cursors[cell].fetch_add(size, std::memory_order_relaxed);
+    });
+  });
+
+  std::uint32_t start = 0;
+  for (std::size_t cell = 0; cell < numberOfCells; ++cell)
+  {
+    const std::uint32_t size = cursors[cell].load(std::memory_order_relaxed);
+    if (size > 0)
+    {
+      this->BrickCells.push_back(static_cast<std::uint32_t>(cell));
+      this->BrickStarts.push_back(start);
+      cursors[cell].store(start, std::memory_order_relaxed);
+      start += size;
+    }
+  }
+  this->BrickStarts.push_back(start);
+
+  this->Order.Allocate(this->NumberOfSegments);
+  vtkSMPTools::For(0, numberOfSegments, SegmentsPerTask, [&](vtkIdType begin, vtkIdType end) {
+    ForEachRun(cells, begin, end, [&](std::uint32_t cell, std::uint32_t first, std::uint32_t size) {
+      std::uint32_t* target =
+        this->Order.Get(cursors[cell].fetch_add(size, std::memory_order_relaxed));
+      for (std::uint32_t i = 0; i < size; ++i)
+      {
+        target[i] = first + i;
+      }
+    });
+  });
+  this->SegmentCells.Free();
+}
+
+//------------------------------------------------------------------------------
+void ModelBuilder::BrickWriter::ListCurves(const ModelBuilder& builder, Assembly& assembly)
+{
+  const std::vector<std::uint32_t>& starts = builder.CurveStarts;
+  this->LocalIds.resize(this->Emissions.size());
+  std::uint32_t size = 0;
+  std::uint32_t curveEnd = 0;
+  for (std::size_t i = 0; i < this->Emissions.size(); ++i)
+  {
+    // Curves own consecutive emission indices, and these ascend here: one search for each curve.
+    if (this->Emissions[i] >= curveEnd)
+    {
+      const auto next = std::upper_bound(starts.begin(), starts.end(), this->Emissions[i]);
+      assembly.Curves.push_back(static_cast<std::uint32_t>(next - starts.begin() - 1));
+      curveEnd = *next;
+      ++size;
+    }
+    this->LocalIds[i] = size - 1;
+  }
+  assembly.LargestBrickCurves = std::max(assembly.LargestBrickCurves, size);
+}
+
+//------------------------------------------------------------------------------
+std::int64_t ModelBuilder::BrickWriter::CountDuplicates(
+  const vtkVoxelLineEncoding::Codec& codec, const std::uint32_t* words, std::size_t size)
+{
+  this->Keys.resize(size);
+  for (std::size_t i = 0; i < size; ++i, words += codec.Words)
+  {
+    std::array<std::uint32_t, 6>& key = this->Keys[i];
+    key.fill(0);
+    if (codec.FaceBins == 0)
+    {
+      const bool isSwapped =
+        std::lexicographical_compare(words + 3, words + 6, words, words + 3);
+      std::copy_n(words + (isSwapped ? 3 : 0), 3, key.begin());
+      std::copy_n(words + (isSwapped ? 0 : 3), 3, key.begin() + 3);
+      continue;
+    }
+    key[0] = codec.StartCode(words);
+    key[1] = codec.EndCode(words);
+    if (key[1] < key[0])
+    {
+      std::swap(key[0], key[1]);
+    }
+  }
+  std::sort(this->Keys.begin(), this->Keys.end());
+  const auto distinct = std::unique(this->Keys.begin(), this->Keys.end()) - this->Keys.begin();
+  return static_cast<std::int64_t>(size) - distinct;
+}
+
+//------------------------------------------------------------------------------
+void ModelBuilder::BrickWriter::Write(
+  ModelBuilder& builder, std::size_t brick, Assembly& assembly, vtkVoxelLineModel* model)
+{
+  const std::uint32_t first = builder.BrickStarts[brick];
+  std::uint32_t* order = builder.Order.Get(first);
+  this->Emissions.assign(order, builder.Order.Get(builder.BrickStarts[brick + 1]));
+  std::sort(this->Emissions.begin(), this->Emissions.end());
+
+  std::uint32_t* row =
+    static_cast<std::uint32_t*>(model->GetBricks()->GetVoidPointer(0)) + WordsPerRow * brick;
+  row[2] = first;
+  row[3] = static_cast<std::uint32_t>(assembly.VoxelStarts.size());
+  row[4] = static_cast<std::uint32_t>(assembly.Curves.size());
+  this->ListCurves(builder, assembly);
+
+  std::array<std::uint32_t, VoxelsPerBrick + 1> voxelStarts{};
+  for (std::uint32_t emission : this->Emissions)
+  {
+    ++voxelStarts[builder.VoxelBits[emission] + 1u];
+  }
+  std::uint64_t mask = 0;
+  for (std::size_t voxel = 0; voxel < VoxelsPerBrick; ++voxel)
+  {
+    if (voxelStarts[voxel + 1] > 0)
+    {
+      mask |= std::uint64_t(1) << voxel;
+      assembly.VoxelStarts.push_back(voxelStarts[voxel]);
+    }
+    voxelStarts[voxel + 1] += voxelStarts[voxel];
+  }
+  assembly.VoxelStarts.push_back(voxelStarts[VoxelsPerBrick]);
+  row[0] = static_cast<std::uint32_t>(mask);
+  row[1] = static_cast<std::uint32_t>(mask >> 32);
+
+  const std::size_t size = static_cast<std::size_t>(builder.Codec.Words);
+  const std::size_t attributes = 2 * static_cast<std::size_t>(builder.Values.AttributeSize);
+  std::uint32_t* words =
+    static_cast<std::uint32_t*>(model->GetSegments()->GetVoidPointer(0)) + size * first;
+  std::uint8_t* attribute =
+    attributes ? model->GetAttributes()->GetPointer(0) + attributes * first : nullptr;
+  std::uint8_t* radius =
+    builder.Values.HasRadii ? model->GetRadii()->GetPointer(0) + std::size_t(2) * first : nullptr;
+  std::array<std::uint32_t, VoxelsPerBrick> cursors;
+  std::copy_n(voxelStarts.begin(), VoxelsPerBrick, cursors.begin());
+  for (std::size_t i = 0; i < this->Emissions.size(); ++i)
+  {
+    const std::size_t emission = this->Emissions[i];
+    const std::size_t target = cursors[builder.VoxelBits[emission]]++;
+    std::copy_n(builder.Words.Get(size * emission), size, words + size * target);
+    builder.Codec.PackCurve(this->LocalIds[i], words + size * target);
+    order[target] = this->LocalIds[i];
+    if (attribute)
+    {
+      std::copy_n(
+        builder.Attributes.Get(attributes * emission), attributes, attribute + attributes * target);
+    }
+    if (radius)
+    {
+      std::copy_n(builder.Radii.Get(2 * emission), 2, radius + 2 * target);
+    }
+  }
+  for (std::size_t voxel = 0; voxel < VoxelsPerBrick; ++voxel)
+  {
+    const std::size_t voxelSize = voxelStarts[voxel + 1] - voxelStarts[voxel];
+    if (voxelSize > 1)
+    {
+      assembly.NumberOfDuplicates +=
+        this->CountDuplicates(builder.Codec, words + size * voxelStarts[voxel], voxelSize);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void ModelBuilder::AssembleBricks(vtkVoxelLineModel* model)
+{
+  if (this->Codec.FaceBins == 0)
+  {
+    model->SetSegments(MakeArray<vtkFloatArray>(this->Codec.Words, this->NumberOfSegments));
+  }
+  else
+  {
+    model->SetSegments(MakeArray<vtkTypeUInt32Array>(this->Codec.Words, this->NumberOfSegments));
+  }
+  if (this->Values.AttributeSize > 0)
+  {
+    model->SetAttributes(
+      MakeArray<vtkUnsignedCharArray>(2 * this->Values.AttributeSize, this->NumberOfSegments));
+  }
+  if (this->Values.HasRadii)
+  {
+    model->SetRadii(MakeArray<vtkUnsignedCharArray>(2, this->NumberOfSegments));
+  }
+  model->SetBricks(MakeArray<vtkTypeUInt32Array>(WordsPerRow, this->NumberOfBricks() + 1));
+
+  const vtkIdType numberOfBricks = static_cast<vtkIdType>(this->NumberOfBricks());
+  const vtkIdType numberOfTasks = (numberOfBricks + BricksPerTask - 1) / BricksPerTask;
+  std::vector<Assembly> assemblies(static_cast<std::size_t>(numberOfTasks));
+  vtkSMPThreadLocal<BrickWriter> writers;
+  vtkSMPTools::For(0, numberOfTasks, 1, [&](vtkIdType begin, vtkIdType end) {
+    BrickWriter& writer = writers.Local();
+    for (vtkIdType task = begin; task < end; ++task)
+    {
+      const vtkIdType last = std::min((task + 1) * BricksPerTask, numberOfBricks);
+      for (vtkIdType brick = task * BricksPerTask; brick < last; ++brick)
+      {
+        writer.Write(*this, static_cast<std::size_t>(brick),
+          assemblies[static_cast<std::size_t>(task)], model);
+      }
+    }
+  });
+  this->VoxelBits.Free();
+  this->Words.Free();
+  this->Attributes.Free();
+  this->Radii.Free();
+  this->JoinBricks(model, assemblies);
+}
+
+//------------------------------------------------------------------------------
+void ModelBuilder::JoinBricks(vtkVoxelLineModel* model, std::vector<Assembly>& assemblies)
+{
+  std::uint32_t* rows = static_cast<std::uint32_t*>(model->GetBricks()->GetVoidPointer(0));
+  std::size_t voxelStarts = 0;
+  std::size_t curves = 0;
+  std::uint32_t largestBrickCurves = 0;
+  std::int64_t duplicates = 0;
+  for (std::size_t task = 0; task < assemblies.size(); ++task)
+  {
+    const std::size_t first = task * static_cast<std::size_t>(BricksPerTask);
+    const std::size_t last = std::min(first + static_cast<std::size_t>(BricksPerTask), this->NumberOfBricks());
+    for (std::size_t brick = first; brick < last; ++brick)
+    {
+      rows[WordsPerRow * brick + 3] += static_cast<std::uint32_t>(voxelStarts);
+      rows[WordsPerRow * brick + 4] += static_cast<std::uint32_t>(curves);
+    }
+    voxelStarts += assemblies[task].VoxelStarts.size();
+    curves += assemblies[task].Curves.size();
+    largestBrickCurves = std::max(largestBrickCurves, assemblies[task].LargestBrickCurves);
+    duplicates += assemblies[task].NumberOfDuplicates;
+  }
+  std::uint32_t* closing = rows + WordsPerRow * this->NumberOfBricks();
+  closing[0] = 0;
+  closing[1] = 0;
+  closing[2] = static_cast<std::uint32_t>(this->NumberOfSegments);
+  closing[3] = static_cast<std::uint32_t>(voxelStarts);
+  closing[4] = static_cast<std::uint32_t>(curves);
+  model->SetNumberOfDuplicates(duplicates);
+
+  auto brickCurves = MakeArray<vtkTypeUInt32Array>(1, curves);
+  std::uint32_t* target = brickCurves->GetPointer(0);
+  for (const Assembly& assembly : assemblies)
+  {
+    target = std::copy(assembly.Curves.begin(), assembly.Curves.end(), target);
+  }
+  model->SetBrickCurves(brickCurves);
+
+  std::uint32_t largestBrick = 0;
+  for (std::size_t brick = 0; brick < this->NumberOfBricks(); ++brick)
+  {
+    largestBrick = std::max(largestBrick, this->BrickStarts[brick + 1] - this->BrickStarts[brick]);
+  }
+  if (largestBrick <= VTK_UNSIGNED_SHORT_MAX)
+  {
+    this->JoinVoxelStarts<vtkTypeUInt16Array>(model, assemblies);
+  }
+  else
+  {
+    this->JoinVoxelStarts<vtkTypeUInt32Array>(model, assemblies);
+  }
+  Release(assemblies);
+  this->MakeCurveIdExtension(model, largestBrickCurves);
+  this->Order.Free();
+}
+
+//------------------------------------------------------------------------------
+template <typename ArrayT>
+void ModelBuilder::JoinVoxelStarts(
+  vtkVoxelLineModel* model, const std::vector<Assembly>& assemblies) const
+{
+  std::size_t size = 0;
+  for (const Assembly& assembly : assemblies)
+  {
+    size += assembly.VoxelStarts.size();
+  }
+  auto starts = MakeArray<ArrayT>(1, size);
+  auto* target = starts->GetPointer(0);
+  for (const Assembly& assembly : assemblies)
+  {
+    for (std::uint32_t start : assembly.VoxelStarts)
+    {
+      *target++ = static_cast<typename ArrayT::ValueType>(start);
+    }
+  }
+  model->SetVoxelStarts(starts);
+}
+
+//------------------------------------------------------------------------------
+void ModelBuilder::MakeCurveIdExtension(vtkVoxelLineModel* model, std::uint32_t largestBrickCurves)
+{
+  const std::uint32_t largest = (largestBrickCurves - 1) >> this->Codec.CurveBits;
+  if (largest == 0)
+  {
+    return;
+  }
+  vtkSmartPointer<vtkDataArray> extension;
+  if (largest <= VTK_UNSIGNED_CHAR_MAX)
+  {
+    extension = MakeArray<vtkTypeUInt8Array>(1, this->NumberOfSegments);
+  }
+  else if (largest <= VTK_UNSIGNED_SHORT_MAX)
+  {
+    extension = MakeArray<vtkTypeUInt16Array>(1, this->NumberOfSegments);
+  }
+  else
+  {
+    extension = MakeArray<vtkTypeUInt32Array>(1, this->NumberOfSegments);
+  }
+  void* target = extension->GetVoidPointer(0);
+  const int width = extension->GetDataTypeSize();
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->NumberOfSegments), SegmentsPerTask,
+    [&](vtkIdType begin, vtkIdType end) {
+      for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        const std::uint32_t bits = this->Order[i] >> this->Codec.CurveBits;
+        switch (width)
+        {
+          case 1:
+            static_cast<std::uint8_t*>(target)[i] = static_cast<std::uint8_t>(bits);
+            break;
+          case 2:
+            static_cast<std::uint16_t*>(target)[i] = static_cast<std::uint16_t>(bits);
+            break;
+          default:
+            static_cast<std::uint32_t*>(target)[i] = bits;
+            break;
+        }
+      }
+    });
+  model->SetCurveIdExtension(extension);
+}
+
+//------------------------------------------------------------------------------
+void ModelBuilder::MakeBrickGrid(vtkVoxelLineModel* model)
+{
+  const int* bricks = this->Cells.BrickDimensions;
+  const std::size_t numberOfCells = static_cast<std::size_t>(bricks[0]) * static_cast<std::size_t>(bricks[1]) * static_cast<std::size_t>(bricks[2]);
+  std::vector<std::uint8_t> distances(numberOfCells, 255);
+  for (std::uint32_t cell : this->BrickCells)
+  {
+    distances[cell] = 0;
+  }
+  vtkVoxelLineDistance::Transform(distances, bricks, vtkVoxelLineModel::LargestBrickDistance);
+  auto grid = MakeArray<vtkTypeInt32Array>(1, numberOfCells);
+  std::int32_t* target = grid->GetPointer(0);
+  std::transform(distances.begin(), distances.end(), target,
+    [](std::uint8_t distance) { return -static_cast<std::int32_t>(distance); });
+  for (std::size_t brick = 0; brick < this->BrickCells.size(); ++brick)
+  {
+    target[this->BrickCells[brick]] = static_cast<std::int32_t>(brick);
+  }
+  model->SetBrickGrid(grid);
+}
+
+}
