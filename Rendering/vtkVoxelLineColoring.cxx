@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVoxelLineColoring.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkDoubleArray.h"
+#include "vtkLookupTable.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkScalarsToColors.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVariant.h"
+#include "vtkVoxelLineModel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+namespace
+{
+bool SelectsByName(vtkMapper* mapper)
+{
+  const int mode = mapper->GetScalarMode();
+  return mapper->GetArrayAccessMode() == VTK_GET_ARRAY_BY_NAME && mapper->GetArrayName() &&
+    std::strlen(mapper->GetArrayName()) > 0 &&
+    (mode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA || mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA ||
+      mode == VTK_SCALAR_MODE_USE_FIELD_DATA);
+}
+
+// The lookup table that VTK's mappers would use for this array.
+vtkScalarsToColors* GetLookupTable(vtkMapper* mapper, vtkDataArray* array)
+{
+  if (array && array->GetLookupTable())
+  {
+    mapper->SetLookupTable(array->GetLookupTable());
+  }
+  vtkScalarsToColors* table = mapper->GetLookupTable();
+  table->Build();
+  return table;
+}
+
+// The part of a vector whose length a lookup table in magnitude mode maps.
+void GetVectorPart(vtkScalarsToColors* table, int components, int& first, int& size)
+{
+  first = 0;
+  size = table->GetVectorSize();
+  if (size <= 0)
+  {
+    size = components;
+    return;
+  }
+  first = std::clamp(table->GetVectorComponent(), 0, components - 1);
+  size = std::min(size, components - first);
+}
+
+// Component of a vector that is mapped (-1: its length), as vtkScalarsToColors::MapScalars decides.
+int GetComponent(vtkMapper* mapper, vtkScalarsToColors* table, int components)
+{
+  if (components <= 1)
+  {
+    return 0;
+  }
+  // A component set in the mapper comes first; one beyond the array means the first.
+  const int asked = mapper->GetArrayComponent();
+  if (asked >= 0)
+  {
+    return asked < components ? asked : 0;
+  }
+  if (table->GetVectorMode() == vtkScalarsToColors::COMPONENT)
+  {
+    return std::clamp(table->GetVectorComponent(), 0, components - 1);
+  }
+  int first;
+  int size;
+  GetVectorPart(table, components, first, size);
+  return size == 1 ? first : -1;
+}
+
+// Values that an attribute's bytes stand for, NaN included.
+void GetAttributeValues(vtkVoxelLineModel* model, vtkDoubleArray* values)
+{
+  double range[2];
+  model->GetAttributeRange(range);
+  const int last = model->GetHasNaNAttribute() ? 254 : 255;
+  values->SetNumberOfValues(256);
+  for (int i = 0; i < 256; ++i)
+  {
+    const double t = static_cast<double>(i) / last;
+    values->SetValue(i, i > last ? vtkMath::Nan() : range[0] + t * (range[1] - range[0]));
+  }
+}
+
+// An indexed table knows certain values only: a byte means the one that it was rounded from.
+void SnapToAnnotations(vtkScalarsToColors* table, vtkDoubleArray* values)
+{
+  const double step = std::abs(values->GetValue(1) - values->GetValue(0));
+  for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i)
+  {
+    const double value = values->GetValue(i);
+    double nearest = value;
+    double distance = 0.5 * step * (1.0 + 1e-9);
+    for (vtkIdType k = 0; k < table->GetNumberOfAnnotatedValues(); ++k)
+    {
+      bool valid = false;
+      const double annotated = table->GetAnnotatedValue(k).ToDouble(&valid);
+      if (valid && std::abs(annotated - value) <= distance)
+      {
+        nearest = annotated;
+        distance = std::abs(annotated - value);
+      }
+    }
+    values->SetValue(i, nearest);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkVoxelLineColoring::Source vtkVoxelLineColoring::Select(vtkMapper* mapper, vtkPolyData* input)
+{
+  Source source;
+  int place = 0;
+  vtkAbstractArray* abstractArray =
+    vtkAbstractMapper::GetAbstractScalars(input, mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), place);
+  if (!abstractArray)
+  {
+    if (SelectsByName(mapper) && input->GetNumberOfCells() > 0)
+    {
+      source.Warning = std::string("the input has no array named \"") + mapper->GetArrayName() +
+        "\" where ScalarMode (" + mapper->GetScalarModeAsString() + ") looks for it";
+    }
+    return source;
+  }
+
+  const char* name = abstractArray->GetName() ? abstractArray->GetName() : "(unnamed)";
+  vtkDataArray* array = vtkArrayDownCast<vtkDataArray>(abstractArray);
+  if (!array)
+  {
+    source.Warning = std::string("the array \"") + name + "\" does not hold numbers";
+    return source;
+  }
+  // Field data may belong to the cells; nothing else of it can be told apart along a line.
+  source.PerCell = place != 0;
+  const vtkIdType expected =
+    source.PerCell ? input->GetNumberOfCells() : input->GetNumberOfPoints();
+  if (array->GetNumberOfTuples() != expected || array->GetNumberOfComponents() < 1)
+  {
+    std::ostringstream text;
+    text << "the array \"" << name << "\" has " << array->GetNumberOfTuples()
+         << " tuples, but the input has " << expected << (source.PerCell ? " cells" : " points");
+    source.Warning = text.str();
+    return source;
+  }
+
+  vtkScalarsToColors* table = GetLookupTable(mapper, array);
+  const int components = array->GetNumberOfComponents();
+  const int mode = mapper->GetColorMode();
+  source.Array = array;
+  source.Direct = mode == VTK_COLOR_MODE_DIRECT_SCALARS ||
+    (mode == VTK_COLOR_MODE_DEFAULT && array->GetDataType() == VTK_UNSIGNED_CHAR) ||
+    (components > 1 && mapper->GetArrayComponent() < 0 &&
+      table->GetVectorMode() == vtkScalarsToColors::RGBCOLORS);
+  source.Component = source.Direct ? 0 : GetComponent(mapper, table, components);
+  return source;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkVoxelLineColoring::Convert(vtkMapper* mapper, const Source& source)
+{
+  if (!source.Array)
+  {
+    return nullptr;
+  }
+  vtkScalarsToColors* table = GetLookupTable(mapper, source.Array);
+  if (source.Direct)
+  {
+    return vtkSmartPointer<vtkDataArray>::Take(
+      table->MapScalars(source.Array, mapper->GetColorMode(), mapper->GetArrayComponent()));
+  }
+  const int components = source.Array->GetNumberOfComponents();
+  int first;
+  int size;
+  GetVectorPart(table, components, first, size);
+  if (source.Component >= 0 || size == components)
+  {
+    return source.Array;
+  }
+  vtkNew<vtkDoubleArray> lengths;
+  lengths->SetNumberOfValues(source.Array->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < source.Array->GetNumberOfTuples(); ++i)
+  {
+    double sum = 0.0;
+    for (int k = first; k < first + size; ++k)
+    {
+      const double value = source.Array->GetComponent(i, k);
+      sum += value * value;
+    }
+    lengths->SetValue(i, std::sqrt(sum));
+  }
+  return lengths;
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineColoring::SetColors(
+  vtkVoxelLineFrame& frame, vtkMapper* mapper, vtkVoxelLineModel* model)
+{
+  frame.Coloring = vtkVoxelLineFrame::Uniform;
+  frame.HasNaN = false;
+  if (!mapper->GetScalarVisibility() || !model->GetAttributes())
+  {
+    return;
+  }
+  if (model->GetAttributeKind() == vtkVoxelLineModel::Color)
+  {
+    frame.Coloring = vtkVoxelLineFrame::Direct;
+    return;
+  }
+  frame.Coloring = vtkVoxelLineFrame::Table;
+  frame.HasNaN = model->GetHasNaNAttribute();
+
+  vtkScalarsToColors* table = GetLookupTable(mapper, nullptr);
+  if (!mapper->GetUseLookupTableScalarRange())
+  {
+    table->SetRange(mapper->GetScalarRange());
+  }
+  vtkNew<vtkDoubleArray> values;
+  GetAttributeValues(model, values);
+  if (table->GetIndexedLookup())
+  {
+    SnapToAnnotations(table, values);
+  }
+  // As in vtkMapper, the table's own factor of opacity does not count.
+  const double alpha = table->GetAlpha();
+  table->SetAlpha(1.0);
+  const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(
+    table->MapScalars(static_cast<vtkAbstractArray*>(values), VTK_COLOR_MODE_MAP_SCALARS, 0));
+  table->SetAlpha(alpha);
+  for (int i = 0; i < 256; ++i)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      frame.ColorTable[i][k] = static_cast<float>(colors->GetTypedComponent(i, k)) / 255.0f;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkVoxelLineColoring::HasTranslucentColors(vtkVoxelLineModel* model)
+{
+  vtkUnsignedCharArray* attributes = model->GetAttributes();
+  if (!attributes || model->GetAttributeKind() != vtkVoxelLineModel::Color)
+  {
+    return false;
+  }
+  const unsigned char* colors = attributes->GetPointer(0);
+  std::atomic<bool> translucent(false);
+  vtkSMPTools::For(0, attributes->GetNumberOfValues() / 4, 1 << 16,
+    [colors, &translucent](vtkIdType begin, vtkIdType end)
+    {
+      const unsigned char* color = colors + 4 * begin;
+      for (vtkIdType i = begin; i < end && !translucent.load(std::memory_order_relaxed);
+           ++i, color += 4)
+      {
+        if (color[3] < 255)
+        {
+          translucent.store(true, std::memory_order_relaxed);
+        }
+      }
+    });
+  return translucent;
+}

@@ -1,0 +1,427 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVoxelLineFrameBuilder.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkTransform.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+glm::vec3 ToVec3(const double v[3])
+{
+  return glm::vec3(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]));
+}
+
+// Row-major product of two 4x4 matrices.
+void Multiply(const double a[16], const double b[16], double product[16])
+{
+  vtkMatrix4x4::Multiply4x4(a, b, product);
+}
+
+// Grid-local to data coordinates.
+void GetDataFromLocal(const vtkVoxelLineFrameBuilder::Grid& grid, double matrix[16])
+{
+  std::fill(matrix, matrix + 16, 0.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    matrix[5 * i] = grid.VoxelSize;
+    matrix[4 * i + 3] = grid.Origin[i];
+  }
+  matrix[15] = 1.0;
+}
+
+bool IsFinite(const double* values, int count)
+{
+  return std::all_of(values, values + count, [](double v) { return std::isfinite(v); });
+}
+
+// Largest and smallest distance along the view direction of the box of all that is drawn.
+void GetBoxDistances(
+  const vtkVoxelLineFrameBuilder::Grid& grid, const double viewFromLocal[16], double distances[2])
+{
+  distances[0] = std::numeric_limits<double>::max();
+  distances[1] = std::numeric_limits<double>::lowest();
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double z = viewFromLocal[11];
+    for (int i = 0; i < 3; ++i)
+    {
+      const double local = (corner >> i) & 1 ? grid.Dimensions[i] + grid.Margin : -grid.Margin;
+      z += viewFromLocal[8 + i] * local;
+    }
+    distances[0] = std::min(distances[0], -z);
+    distances[1] = std::max(distances[1], -z);
+  }
+}
+
+/**
+ * Rays in view coordinates. On a plane of constant z the projection maps (x, y) to normalized
+ * device coordinates n by n w(z) = A (x, y) + c z + d with w(z) = p32 z + p33, which is affine in n
+ * when solved for (x, y) and in z as well: so rays need no inverse of the whole matrix.
+ */
+class ViewRays
+{
+public:
+  explicit ViewRays(const double projection[16])
+    : P(projection)
+  {
+    const double determinant = this->P[0] * this->P[5] - this->P[1] * this->P[4];
+    this->Inverse[0] = this->P[5] / determinant;
+    this->Inverse[1] = -this->P[1] / determinant;
+    this->Inverse[2] = -this->P[4] / determinant;
+    this->Inverse[3] = this->P[0] / determinant;
+  }
+
+  bool IsValid() const
+  {
+    // What follows relies on a w and a depth that depend on z alone.
+    return IsFinite(this->Inverse, 4) && this->P[8] == 0.0 && this->P[9] == 0.0 &&
+      this->P[12] == 0.0 && this->P[13] == 0.0;
+  }
+
+  // A^-1 (w n - f (c, d)) for the four parts that the rays are made of.
+  void Solve(double w, const double n[2], const double offset[2], double xy[2]) const
+  {
+    const double right[2] = { w * n[0] - offset[0], w * n[1] - offset[1] };
+    xy[0] = this->Inverse[0] * right[0] + this->Inverse[1] * right[1];
+    xy[1] = this->Inverse[2] * right[0] + this->Inverse[3] * right[1];
+  }
+
+  const double* P;
+
+private:
+  double Inverse[4];
+};
+
+// Part i of the rays' origins and directions in view coordinates: 0 the corner, 1 and 2 the pixel
+// steps. distance is that of the plane of the origins.
+void GetRayPart(const ViewRays& rays, int i, const vtkVoxelLineFrameBuilder::View& view,
+  double distance, double origin[3], double direction[3])
+{
+  const double* p = rays.P;
+  const double step[2] = { 2.0 / view.ViewportSize[0], 2.0 / view.ViewportSize[1] };
+  const double n[3][2] = { { -1.0 + step[0] * view.PictureOrigin[0],
+                             -1.0 + step[1] * view.PictureOrigin[1] },
+    { step[0], 0.0 }, { 0.0, step[1] } };
+  const double none[2] = { 0.0, 0.0 };
+  const double originOffset[2] = { -p[2] * distance + p[3], -p[6] * distance + p[7] };
+  const double directionOffset[2] = { -p[2], -p[6] };
+  const bool corner = i == 0;
+  rays.Solve(p[15] - p[14] * distance, n[i], corner ? originOffset : none, origin);
+  rays.Solve(-p[14], n[i], corner ? directionOffset : none, direction);
+  origin[2] = corner ? -distance : 0.0;
+  direction[2] = corner ? -1.0 : 0.0;
+}
+
+void TransformVector(const double matrix[16], const double v[3], double w, double out[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    out[i] = matrix[4 * i] * v[0] + matrix[4 * i + 1] * v[1] + matrix[4 * i + 2] * v[2] +
+      matrix[4 * i + 3] * w;
+  }
+}
+
+// s at which the depth is -1 (near) or 1 (far) in normalized device coordinates.
+float GetPlaneS(const double z[2], const double w[2], double side)
+{
+  const double s = (side * w[0] - z[0]) / (z[1] - side * w[1]);
+  const double limit = std::numeric_limits<float>::max();
+  return static_cast<float>(std::isfinite(s) ? std::clamp(s, -limit, limit) : side * limit);
+}
+
+// Inverse transpose of the upper left 3x3 part, up to scale: normals are normalized where used.
+glm::mat3 GetNormalMatrix(const double matrix[16])
+{
+  double linear[3][3];
+  double largest = 0.0;
+  for (int i = 0; i < 9; ++i)
+  {
+    linear[i / 3][i % 3] = matrix[4 * (i / 3) + i % 3];
+    largest = std::max(largest, std::abs(linear[i / 3][i % 3]));
+  }
+  for (auto& row : linear)
+  {
+    std::transform(row, row + 3, row, [largest](double v) { return v / largest; });
+  }
+  double inverse[3][3];
+  vtkMath::Invert3x3(linear, inverse);
+  glm::mat3 normals;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      normals[column][row] = static_cast<float>(inverse[column][row]);
+    }
+  }
+  return normals;
+}
+
+bool AreSameLights(const vtkVoxelLineLight& a, const vtkVoxelLineLight& b)
+{
+  return a.Kind == b.Kind && a.Direction == b.Direction && a.Position == b.Position &&
+    a.Color == b.Color && a.Attenuation == b.Attenuation && a.CosConeAngle == b.CosConeAngle &&
+    a.Exponent == b.Exponent;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkVoxelLineFrameBuilder::View vtkVoxelLineFrameBuilder::GetView(
+  vtkRenderer* renderer, vtkActor* actor, int width, int height)
+{
+  View view;
+  view.ViewportSize[0] = view.PictureSize[0] = width;
+  view.ViewportSize[1] = view.PictureSize[1] = height;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (auto* glCamera = vtkOpenGLCamera::SafeDownCast(camera))
+  {
+    // The very matrices that other actors use; they come transposed.
+    vtkMatrix4x4* viewFromWorld;
+    vtkMatrix3x3* normals;
+    vtkMatrix4x4* clipFromView;
+    vtkMatrix4x4* clipFromWorld;
+    glCamera->GetKeyMatrices(renderer, viewFromWorld, normals, clipFromView, clipFromWorld);
+    vtkMatrix4x4::Transpose(viewFromWorld->GetData(), view.ViewFromWorld);
+    vtkMatrix4x4::Transpose(clipFromView->GetData(), view.ClipFromView);
+  }
+  else
+  {
+    vtkMatrix4x4::DeepCopy(view.ViewFromWorld, camera->GetModelViewTransformMatrix());
+    vtkMatrix4x4::DeepCopy(view.ClipFromView,
+      camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  }
+  actor->ComputeMatrix();
+  vtkMatrix4x4::DeepCopy(view.WorldFromData, actor->GetMatrix());
+  return view;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLineFrameBuilder::SetView(
+  vtkVoxelLineFrame& frame, const View& view, const Grid& grid)
+{
+  double dataFromLocal[16];
+  GetDataFromLocal(grid, dataFromLocal);
+  double viewFromData[16];
+  double viewFromLocal[16];
+  // First the two that may hold large opposite translations, then the small scale.
+  Multiply(view.ViewFromWorld, view.WorldFromData, viewFromData);
+  Multiply(viewFromData, dataFromLocal, viewFromLocal);
+  double localFromView[16];
+  vtkMatrix4x4::Invert(viewFromLocal, localFromView);
+  const double determinant = vtkMatrix4x4::Determinant(viewFromLocal);
+  if (!IsFinite(viewFromLocal, 16) || !IsFinite(localFromView, 16) || determinant == 0.0)
+  {
+    return "the matrix of the actor or of the camera is not finite or cannot be inverted";
+  }
+  const ViewRays rays(view.ClipFromView);
+  if (!IsFinite(view.ClipFromView, 16) || !rays.IsValid())
+  {
+    return "the camera's projection matrix is not one whose depth depends on the distance along "
+           "the view direction alone";
+  }
+
+  frame.Width = view.PictureSize[0];
+  frame.Height = view.PictureSize[1];
+  frame.Parallel = view.ClipFromView[14] == 0.0;
+
+  // The origins lie on the plane where the box of all that is drawn begins, but not before the
+  // near plane: s is then small wherever the camera stands.
+  const double* p = view.ClipFromView;
+  const double zNear = -(p[11] + p[15]) / (p[10] + p[14]);
+  double distances[2];
+  GetBoxDistances(grid, viewFromLocal, distances);
+  const double distance = std::isfinite(zNear) ? std::max(distances[0], -zNear) : distances[0];
+  for (int i = 0; i < 3; ++i)
+  {
+    double origin[3];
+    double direction[3];
+    GetRayPart(rays, i, view, distance, origin, direction);
+    double local[3];
+    TransformVector(localFromView, origin, i == 0 ? 1.0 : 0.0, local);
+    frame.Origin[i] = ToVec3(local);
+    TransformVector(localFromView, direction, 0.0, local);
+    frame.Direction[i] = ToVec3(local);
+  }
+
+  const double z[2] = { p[11] - p[10] * distance, -p[10] };
+  const double w[2] = { p[15] - p[14] * distance, -p[14] };
+  frame.NearestS = GetPlaneS(z, w, -1.0);
+  frame.FarthestS = GetPlaneS(z, w, 1.0);
+  frame.DepthZ = glm::vec2(static_cast<float>(z[0]), static_cast<float>(z[1]));
+  frame.DepthW = glm::vec2(static_cast<float>(w[0]), static_cast<float>(w[1]));
+
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      frame.ViewFromLocal[column][row] = static_cast<float>(viewFromLocal[4 * row + column]);
+    }
+  }
+  frame.NormalFromLocal = GetNormalMatrix(viewFromLocal);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineFrameBuilder::SetClippingPlanes(
+  vtkVoxelLineFrame& frame, vtkPlaneCollection* planes, const View& view, const Grid& grid)
+{
+  frame.ClippingPlanes.clear();
+  if (!planes)
+  {
+    return;
+  }
+  double dataFromLocal[16];
+  GetDataFromLocal(grid, dataFromLocal);
+  double worldFromLocal[16];
+  Multiply(view.WorldFromData, dataFromLocal, worldFromLocal);
+  vtkCollectionSimpleIterator iterator;
+  planes->InitTraversal(iterator);
+  while (vtkPlane* plane = planes->GetNextPlane(iterator))
+  {
+    double normal[3];
+    double origin[3];
+    plane->GetNormal(normal);
+    plane->GetOrigin(origin);
+    double local[4] = { 0.0, 0.0, 0.0, 0.0 };
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        local[j] += worldFromLocal[4 * i + j] * normal[i];
+      }
+      // The difference first: both terms may be large.
+      local[3] += (worldFromLocal[4 * i + 3] - origin[i]) * normal[i];
+    }
+    const double length = vtkMath::Norm(local);
+    if (length > 0.0)
+    {
+      frame.ClippingPlanes.emplace_back(static_cast<float>(local[0] / length),
+        static_cast<float>(local[1] / length), static_cast<float>(local[2] / length),
+        static_cast<float>(local[3] / length));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineFrameBuilder::SetProperty(vtkVoxelLineFrame& frame, vtkProperty* property)
+{
+  frame.AmbientColor = ToVec3(property->GetAmbientColor());
+  frame.DiffuseColor = ToVec3(property->GetDiffuseColor());
+  frame.SpecularColor = ToVec3(property->GetSpecularColor());
+  frame.Ambient = static_cast<float>(property->GetAmbient());
+  frame.Diffuse = static_cast<float>(property->GetDiffuse());
+  frame.Specular = static_cast<float>(property->GetSpecular());
+  frame.SpecularPower = static_cast<float>(property->GetSpecularPower());
+  frame.Opacity = static_cast<float>(property->GetOpacity());
+  frame.Lighting = property->GetLighting();
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineFrameBuilder::SetLights(vtkVoxelLineFrame& frame, vtkRenderer* renderer)
+{
+  frame.Lights.clear();
+  vtkTransform* viewTransform = renderer->GetActiveCamera()->GetModelViewTransformObject();
+  auto* glRenderer = vtkOpenGLRenderer::SafeDownCast(renderer);
+  vtkTransform* userTransform = glRenderer ? glRenderer->GetUserLightTransform() : nullptr;
+  bool loneHeadlight = false;
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  lights->InitTraversal(iterator);
+  while (vtkLight* light = lights->GetNextLight(iterator))
+  {
+    if (!light->GetSwitch())
+    {
+      continue;
+    }
+    double position[3];
+    double focalPoint[3];
+    light->GetTransformedPosition(position);
+    light->GetTransformedFocalPoint(focalPoint);
+    double direction[3];
+    vtkMath::Subtract(focalPoint, position, direction);
+    vtkMath::Normalize(direction);
+    viewTransform->TransformNormal(direction, direction);
+    viewTransform->TransformPoint(position, position);
+    if (!light->LightTypeIsSceneLight() && userTransform)
+    {
+      userTransform->TransformNormal(direction, direction);
+      userTransform->TransformPoint(position, position);
+    }
+
+    vtkVoxelLineLight entry;
+    // VTK's shaders take a cone of 90 degrees or more for none at all.
+    entry.Kind = !light->GetPositional() ? 0 : (light->GetConeAngle() < 90.0 ? 2 : 1);
+    entry.Direction = ToVec3(direction);
+    entry.Position = ToVec3(position);
+    entry.Color = ToVec3(light->GetDiffuseColor()) * static_cast<float>(light->GetIntensity());
+    entry.Attenuation = ToVec3(light->GetAttenuationValues());
+    entry.CosConeAngle =
+      static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(light->GetConeAngle())));
+    entry.Exponent = static_cast<float>(light->GetExponent());
+    loneHeadlight = light->LightTypeIsHeadlight() && !light->GetPositional();
+    frame.Lights.push_back(entry);
+  }
+  if (frame.Lights.empty())
+  {
+    frame.Lighting = false;
+  }
+  else if (frame.Lights.size() == 1 && loneHeadlight)
+  {
+    frame.Lights[0].Kind = 3;
+    frame.Lights[0].Direction = glm::vec3(0.0f, 0.0f, -1.0f);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkVoxelLineFrameBuilder::IsSamePicture(const vtkVoxelLineFrame& a, const vtkVoxelLineFrame& b)
+{
+  const bool sameView = a.Width == b.Width && a.Height == b.Height &&
+    std::equal(a.Origin, a.Origin + 3, b.Origin) &&
+    std::equal(a.Direction, a.Direction + 3, b.Direction) && a.NearestS == b.NearestS &&
+    a.FarthestS == b.FarthestS && a.DepthZ == b.DepthZ && a.DepthW == b.DepthW &&
+    a.ViewFromLocal == b.ViewFromLocal && a.NormalFromLocal == b.NormalFromLocal &&
+    a.Parallel == b.Parallel && a.ClippingPlanes == b.ClippingPlanes;
+  const bool sameColors = a.Coloring == b.Coloring && a.HasNaN == b.HasNaN &&
+    (a.Coloring != vtkVoxelLineFrame::Table || a.ColorTable == b.ColorTable);
+  const bool sameMaterial = a.AmbientColor == b.AmbientColor && a.DiffuseColor == b.DiffuseColor &&
+    a.SpecularColor == b.SpecularColor && a.Ambient == b.Ambient && a.Diffuse == b.Diffuse &&
+    a.Specular == b.Specular && a.SpecularPower == b.SpecularPower && a.Opacity == b.Opacity &&
+    a.Lighting == b.Lighting;
+  const bool sameLights = a.Lights.size() == b.Lights.size() &&
+    std::equal(a.Lights.begin(), a.Lights.end(), b.Lights.begin(), AreSameLights);
+  return sameView && sameColors && sameMaterial && sameLights && a.Radius == b.Radius &&
+    a.EarlyTermination == b.EarlyTermination && a.Picking == b.Picking;
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineFrameBuilder::GetDataPosition(
+  const vtkVoxelLineFrame& frame, const Grid& grid, int x, int y, double depth, double position[3])
+{
+  const double ndc = 2.0 * depth - 1.0;
+  const double s = (ndc * frame.DepthW[0] - frame.DepthZ[0]) /
+    (frame.DepthZ[1] - ndc * static_cast<double>(frame.DepthW[1]));
+  for (int i = 0; i < 3; ++i)
+  {
+    const double origin =
+      frame.Origin[0][i] + (x + 0.5) * frame.Origin[1][i] + (y + 0.5) * frame.Origin[2][i];
+    const double direction =
+      frame.Direction[0][i] + (x + 0.5) * frame.Direction[1][i] + (y + 0.5) * frame.Direction[2][i];
+    position[i] = grid.Origin[i] + grid.VoxelSize * (origin + s * direction);
+  }
+}

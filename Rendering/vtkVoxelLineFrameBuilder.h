@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkVoxelLineFrameBuilder
+ * @brief   turns camera, actor, lights and property into a vtkVoxelLineFrame
+ *
+ * All placement is computed in double precision and rounded once, when it is written into the
+ * frame, whose coordinates lie near the grid (see vtkVoxelLineFrame). A world position never
+ * passes through single precision, so that data far from the origin loses nothing.
+ */
+
+#ifndef vtkVoxelLineFrameBuilder_h
+#define vtkVoxelLineFrameBuilder_h
+
+#include "vtkRenderingLineSetsModule.h" // For export macro
+#include "vtkVoxelLineFrame.h"
+
+#include <string>
+
+class vtkActor;
+class vtkMatrix4x4;
+class vtkPlaneCollection;
+class vtkProperty;
+class vtkRenderer;
+
+class VTKRENDERINGLINESETS_EXPORT vtkVoxelLineFrameBuilder
+{
+public:
+  /// Where the grid of a model lies.
+  struct Grid
+  {
+    /// Lower corner and voxel edge, in the coordinates of the data.
+    double Origin[3] = { 0.0, 0.0, 0.0 };
+    double VoxelSize = 1.0;
+    int Dimensions[3] = { 1, 1, 1 };
+    /// How far something drawn may lie outside the grid, in voxels: the largest tube radius.
+    double Margin = 0.0;
+  };
+
+  /// How the scene is seen. Matrices act on columns, as vtkMatrix4x4 has them.
+  struct View
+  {
+    /// Size of the viewport, in pixels.
+    int ViewportSize[2] = { 0, 0 };
+    /// The part of the viewport that the picture covers: first pixel and size.
+    int PictureOrigin[2] = { 0, 0 };
+    int PictureSize[2] = { 0, 0 };
+    /// World to view coordinates, row by row.
+    double ViewFromWorld[16];
+    /// View to clip coordinates with z from -1 to 1, row by row.
+    double ClipFromView[16];
+    /// Data to world coordinates (the actor's matrix), row by row.
+    double WorldFromData[16];
+  };
+
+  /**
+   * The view of a renderer's camera on an actor, as all other actors have it; the picture covers
+   * the whole viewport.
+   */
+  static View GetView(vtkRenderer* renderer, vtkActor* actor, int width, int height);
+
+  /**
+   * Fill size, rays, depth and matrices of the frame. Returns an empty string, or else why nothing
+   * can be seen: a matrix that cannot be inverted or is not finite, or a projection whose depth
+   * depends on more than the distance along the view direction.
+   */
+  static std::string SetView(vtkVoxelLineFrame& frame, const View& view, const Grid& grid);
+
+  /// World clipping planes (may be null) to grid-local half spaces.
+  static void SetClippingPlanes(
+    vtkVoxelLineFrame& frame, vtkPlaneCollection* planes, const View& view, const Grid& grid);
+
+  /// Colours, coefficients and opacity of a vtkProperty.
+  static void SetProperty(vtkVoxelLineFrame& frame, vtkProperty* property);
+
+  /**
+   * All lights of the renderer that are switched on, in view coordinates. Where there is none, the
+   * frame is unlit, as VTK's polygons are.
+   */
+  static void SetLights(vtkVoxelLineFrame& frame, vtkRenderer* renderer);
+
+  /// Whether two frames would give the same picture; the depth of the scene is not compared.
+  static bool IsSamePicture(const vtkVoxelLineFrame& a, const vtkVoxelLineFrame& b);
+
+  /**
+   * Data coordinates of what lies at a pixel's centre at a depth (0 to 1) of a frame that
+   * SetView() filled.
+   */
+  static void GetDataPosition(const vtkVoxelLineFrame& frame, const Grid& grid, int x, int y,
+    double depth, double position[3]);
+};
+
+#endif
+
+// VTK-HeaderTest-Exclude: vtkVoxelLineFrameBuilder.h

@@ -1,0 +1,506 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVoxelLineMapper.h"
+
+#include "vtkActor.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkDataObject.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkLineVoxelizer.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTimerLog.h"
+#include "vtkVoxelLineColoring.h"
+#include "vtkVoxelLineModel.h"
+#include "vtkVoxelLinePainter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace
+{
+// The array that colours the lines, in the copy of the input that the voxelizer gets.
+constexpr const char* AttributeName = "vtkVoxelLineMapperAttribute";
+
+// Automatic radius: this part of the longest side of the bounds.
+constexpr double AutomaticRadius = 1.0 / 1024.0;
+
+double GetLongestSide(const double bounds[6])
+{
+  return std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+}
+}
+
+class vtkVoxelLineMapper::vtkInternals
+{
+public:
+  vtkNew<vtkLineVoxelizer> Voxelizer;
+  vtkSmartPointer<vtkVoxelLineModel> Model;
+  vtkVoxelLinePainter Painter;
+
+  // What the voxelizer's input was made of.
+  vtkSmartPointer<vtkPolyData> Input;
+  vtkMTimeType InputTime = 0;
+  vtkVoxelLineColoring::Source Source;
+  vtkMTimeType SourceTime = 0;
+
+  // Answer of HasTranslucentColors() for the model at a time.
+  vtkVoxelLineModel* TranslucencyModel = nullptr;
+  vtkMTimeType TranslucencyTime = 0;
+  bool TranslucentColors = false;
+
+  // What has been said, so that it is said once.
+  std::string LastError;
+  std::string LastColorWarning;
+  std::string LastInputWarning;
+  std::set<std::pair<vtkMTimeType, char>> Warned;
+
+  bool HasTranslucentColors()
+  {
+    if (this->Model &&
+      (this->TranslucencyModel != this->Model || this->TranslucencyTime != this->Model->GetMTime()))
+    {
+      this->TranslucencyModel = this->Model;
+      this->TranslucencyTime = this->Model->GetMTime();
+      this->TranslucentColors = vtkVoxelLineColoring::HasTranslucentColors(this->Model);
+    }
+    return this->Model && this->TranslucentColors;
+  }
+};
+
+vtkStandardNewMacro(vtkVoxelLineMapper);
+
+//------------------------------------------------------------------------------
+vtkVoxelLineMapper::vtkVoxelLineMapper()
+  : Internals(new vtkInternals)
+{
+  this->InteriorTolerance = this->Internals->Voxelizer->GetInteriorTolerance();
+}
+
+//------------------------------------------------------------------------------
+vtkVoxelLineMapper::~vtkVoxelLineMapper() = default;
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetInputData(vtkPolyData* input)
+{
+  this->SetInputDataInternal(0, input);
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetInputData(vtkVoxelLineModel* input)
+{
+  this->SetInputDataInternal(0, input);
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetRadius(double radius)
+{
+  if (!std::isfinite(radius) || radius < 0.0)
+  {
+    vtkErrorMacro("Radius " << radius << " is not valid: it must be a finite number above 0, or 0 "
+                            << "for an automatic radius. It stays " << this->Radius << ".");
+    return;
+  }
+  if (this->Radius != radius)
+  {
+    this->Radius = radius;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetRadiusArrayName(const std::string& name)
+{
+  if (this->RadiusArrayName != name)
+  {
+    this->RadiusArrayName = name;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetResolution(int resolution)
+{
+  if (resolution < 1 || resolution > vtkLineVoxelizer::LargestResolution)
+  {
+    vtkErrorMacro("Resolution " << resolution << " is not valid: it must be from 1 to "
+                                << static_cast<int>(vtkLineVoxelizer::LargestResolution)
+                                << ". It stays " << this->Resolution << ".");
+    return;
+  }
+  if (this->Resolution != resolution)
+  {
+    this->Resolution = resolution;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetFaceBins(int bins)
+{
+  const bool powerOfTwo = bins > 0 && (bins & (bins - 1)) == 0;
+  if (bins != 0 && (!powerOfTwo || bins < 2 || bins > 2048))
+  {
+    vtkErrorMacro("FaceBins " << bins << " is not valid: it must be a power of two from 2 to 2048, "
+                              << "or 0 for exact points. It stays " << this->FaceBins << ".");
+    return;
+  }
+  if (this->FaceBins != bins)
+  {
+    this->FaceBins = bins;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetInteriorTolerance(double tolerance)
+{
+  if (std::isnan(tolerance) || tolerance < 0.0)
+  {
+    vtkErrorMacro("InteriorTolerance " << tolerance << " is not valid: it must be 0 or above. It "
+                                       << "stays " << this->InteriorTolerance << ".");
+    return;
+  }
+  if (this->InteriorTolerance != tolerance)
+  {
+    this->InteriorTolerance = tolerance;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetEarlyTermination(double opacity)
+{
+  if (!(opacity >= 0.0 && opacity <= 1.0))
+  {
+    vtkErrorMacro("EarlyTermination " << opacity << " is not valid: it must be from 0 to 1. It "
+                                      << "stays " << this->EarlyTermination << ".");
+    return;
+  }
+  if (this->EarlyTermination != opacity)
+  {
+    this->EarlyTermination = opacity;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetEngine(int engine)
+{
+  if (engine != Automatic && engine != Native && engine != Shader)
+  {
+    vtkErrorMacro("Engine " << engine << " is not valid: it must be Automatic (" << Automatic
+                            << "), Native (" << Native << ") or Shader (" << Shader
+                            << "). It stays " << this->Engine << ".");
+    return;
+  }
+  if (this->Engine != engine)
+  {
+    this->Engine = engine;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkVoxelLineMapper::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkVoxelLineModel");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkVoxelLineModel* vtkVoxelLineMapper::GetModel()
+{
+  vtkInternals& internals = *this->Internals;
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    internals.Input = nullptr;
+    internals.Model = nullptr;
+    return nullptr;
+  }
+  // Does nothing where Static is on.
+  this->Update();
+  vtkDataObject* input = this->GetExecutive()->GetInputData(0, 0);
+  if (auto* model = vtkVoxelLineModel::SafeDownCast(input))
+  {
+    internals.Input = nullptr;
+    internals.Model = model;
+    this->ModelBuildTime = 0.0;
+  }
+  else if (auto* lines = vtkPolyData::SafeDownCast(input))
+  {
+    this->BuildModel(lines);
+  }
+  else
+  {
+    internals.Input = nullptr;
+    internals.Model = nullptr;
+  }
+  return internals.Model;
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::BuildModel(vtkPolyData* lines)
+{
+  vtkInternals& internals = *this->Internals;
+  const bool sameInput =
+    internals.Input == lines && internals.InputTime == lines->GetMTime() && internals.Model;
+  // Attributes that are not shown are neither made nor, where they have been made, thrown away.
+  vtkVoxelLineColoring::Source source;
+  if (this->ScalarVisibility)
+  {
+    source = vtkVoxelLineColoring::Select(this, lines);
+    this->WarnOnce(internals.LastColorWarning,
+      source.Warning.empty() ? source.Warning
+                             : source.Warning + "; the lines get the property's colour instead.");
+  }
+  else if (sameInput)
+  {
+    source = internals.Source;
+  }
+
+  if (!sameInput || !(source == internals.Source))
+  {
+    vtkNew<vtkPolyData> copy;
+    copy->ShallowCopy(lines);
+    vtkSmartPointer<vtkDataArray> array = vtkVoxelLineColoring::Convert(this, source);
+    if (array)
+    {
+      // Under a name of its own, without changing the array of the input.
+      auto named = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+      named->ShallowCopy(array);
+      named->SetName(AttributeName);
+      vtkDataSetAttributes* data = source.PerCell
+        ? static_cast<vtkDataSetAttributes*>(copy->GetCellData())
+        : static_cast<vtkDataSetAttributes*>(copy->GetPointData());
+      data->AddArray(named);
+      internals.Voxelizer->SetInputArrayToProcess(0, 0, 0,
+        source.PerCell ? vtkDataObject::FIELD_ASSOCIATION_CELLS
+                       : vtkDataObject::FIELD_ASSOCIATION_POINTS,
+        AttributeName);
+    }
+    internals.Voxelizer->SetGenerateAttributes(array != nullptr);
+    internals.Voxelizer->SetInputDataObject(copy);
+    internals.Input = lines;
+    internals.InputTime = lines->GetMTime();
+    internals.Source = source;
+    this->WarnOnce(internals.LastInputWarning,
+      lines->GetNumberOfCells() > 0 && lines->GetNumberOfLines() == 0
+        ? "The input has cells, but no lines; nothing of it is drawn. Only line cells are."
+        : "");
+  }
+  internals.Voxelizer->SetResolution(this->Resolution);
+  internals.Voxelizer->SetFaceBins(this->FaceBins);
+  internals.Voxelizer->SetInteriorTolerance(this->InteriorTolerance);
+  internals.Voxelizer->SetRadiusArrayName(this->RadiusArrayName);
+  internals.Voxelizer->SetAttributeComponent(source.Component);
+  internals.Voxelizer->SetDirectColors(source.Direct);
+
+  const vtkMTimeType before = internals.Model ? internals.Model->GetMTime() : 0;
+  const double start = vtkTimerLog::GetUniversalTime();
+  internals.Voxelizer->Update();
+  internals.Model = internals.Voxelizer->GetOutput();
+  if (internals.Model && internals.Model->GetMTime() != before)
+  {
+    this->ModelBuildTime = vtkTimerLog::GetUniversalTime() - start;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::WarnOnce(std::string& last, const std::string& warning)
+{
+  if (last != warning)
+  {
+    last = warning;
+    if (!warning.empty())
+    {
+      vtkWarningMacro(<< warning);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkVoxelLineMapper::GetRadiusInUse()
+{
+  vtkVoxelLineModel* model = this->GetModel();
+  if (!model || model->GetNumberOfSegments() == 0)
+  {
+    return this->Radius;
+  }
+  if (model->GetRadii())
+  {
+    return model->GetMaximumRadius();
+  }
+  if (this->Radius > 0.0)
+  {
+    return this->Radius;
+  }
+  const double side = GetLongestSide(model->GetBounds());
+  // A single point has no extent; the voxel size is what is left.
+  return side > 0.0 ? AutomaticRadius * side : 0.25 * model->GetVoxelSize();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkVoxelLineMapper::GetGraphicsMemory()
+{
+  return this->Internals->Painter.GetNumberOfBytes();
+}
+
+//------------------------------------------------------------------------------
+double* vtkVoxelLineMapper::GetBounds()
+{
+  this->ComputeBounds();
+  return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::ComputeBounds()
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+  vtkVoxelLineModel* model = this->GetModel();
+  if (!model || model->GetNumberOfSegments() == 0)
+  {
+    return;
+  }
+  model->GetBounds(this->Bounds);
+  const double radius = this->GetRadiusInUse();
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Bounds[2 * i] -= radius;
+    this->Bounds[2 * i + 1] += radius;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkVoxelLineMapper::HasTranslucentPolygonalGeometry()
+{
+  vtkVoxelLineModel* model = this->GetModel();
+  if (!model)
+  {
+    return false;
+  }
+  vtkVoxelLineFrame frame;
+  vtkVoxelLineColoring::SetColors(frame, this, model);
+  return frame.Coloring == vtkVoxelLineFrame::Direct ? this->Internals->HasTranslucentColors()
+                                                     : !frame.IsOpaque();
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::Render(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    this->ErrorOnce("There is no input: set a vtkPolyData or a vtkVoxelLineModel.");
+    return;
+  }
+  // One piece: there is no streaming, since all curves share the grid.
+  this->RenderPiece(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (renderer->GetRenderWindow()->CheckAbortStatus())
+  {
+    return;
+  }
+  this->InvokeEvent(vtkCommand::StartEvent, nullptr);
+  vtkVoxelLineModel* model = this->GetModel();
+  this->InvokeEvent(vtkCommand::EndEvent, nullptr);
+  // An executing pipeline may have made another context current.
+  renderer->GetRenderWindow()->MakeCurrent();
+  if (!model || model->GetNumberOfSegments() == 0)
+  {
+    return;
+  }
+
+  vtkVoxelLinePainter::Scene scene;
+  scene.Mapper = this;
+  scene.Model = model;
+  scene.Input = this->Internals->Input;
+  scene.Radius = this->GetRadiusInUse();
+  scene.TranslucentColors = this->Internals->HasTranslucentColors();
+  std::string warning;
+  this->ErrorOnce(this->Internals->Painter.Draw(scene, renderer, actor, warning));
+  if (!warning.empty() &&
+    this->Internals->Warned.emplace(model->GetMTime(), warning.front()).second)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  this->EngineInUse = this->Internals->Painter.GetEngineInUse();
+  this->TimeToDraw = this->Internals->Painter.GetSeconds();
+  this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::ErrorOnce(const std::string& error)
+{
+  std::string& last = this->Internals->LastError;
+  if (last != error)
+  {
+    last = error;
+    if (!error.empty())
+    {
+      vtkErrorMacro("The lines are not drawn: " << error);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internals->Painter.ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  auto* other = vtkVoxelLineMapper::SafeDownCast(mapper);
+  if (other)
+  {
+    this->SetRadius(other->Radius);
+    this->SetRadiusArrayName(other->RadiusArrayName);
+    this->SetResolution(other->Resolution);
+    this->SetFaceBins(other->FaceBins);
+    this->SetInteriorTolerance(other->InteriorTolerance);
+    this->SetEarlyTermination(other->EarlyTermination);
+    this->SetEngine(other->Engine);
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "RadiusArrayName: " << this->RadiusArrayName << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "FaceBins: " << this->FaceBins << "\n";
+  os << indent << "InteriorTolerance: " << this->InteriorTolerance << "\n";
+  os << indent << "EarlyTermination: " << this->EarlyTermination << "\n";
+  os << indent << "Engine: " << this->Engine << "\n";
+  os << indent << "EngineInUse: " << this->EngineInUse << "\n";
+  os << indent << "ModelBuildTime: " << this->ModelBuildTime << "\n";
+  os << indent << "GraphicsMemory: " << this->GetGraphicsMemory() << "\n";
+  os << indent << "Model: ";
+  if (this->Internals->Model)
+  {
+    os << "\n";
+    this->Internals->Model->PrintSelf(os, indent.GetNextIndent());
+  }
+  else
+  {
+    os << "(none)\n";
+  }
+}

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkVoxelLineMapper
+ * @brief   draws large line sets as tubes by ray casting a voxel line model
+ *
+ * The lines of a vtkPolyData are cut into a sparse grid of voxels (vtkLineVoxelizer), and each
+ * pixel's ray visits the voxels in order from front to back (Kanzler, Rautenhaus and Westermann,
+ * "A Voxel-based Rendering Pipeline for Large 3D Line Sets", 2019, Sec. 4). Opaque and transparent
+ * lines are therefore drawn in exact order, without sorting and without fragment lists, and the
+ * time depends on the picture rather than on the number of lines.
+ *
+ * It takes the place of a vtkTubeFilter with a vtkPolyDataMapper:
+ *
+ * @code{.cpp}
+ * vtkNew<vtkVoxelLineMapper> mapper;
+ * mapper->SetInputConnection(streamTracer->GetOutputPort());
+ * mapper->SetRadius(0.01);
+ * actor->SetMapper(mapper);
+ * actor->GetProperty()->SetOpacity(0.25);
+ * @endcode
+ *
+ * <b>Input</b> is a vtkPolyData, of which the lines are drawn (vertices, polygons and strips are
+ * not), or a vtkVoxelLineModel, which may be shared by several mappers and windows. From a
+ * vtkPolyData the mapper builds the model itself, and again only when the input, what colours it,
+ * or Resolution, FaceBins, InteriorTolerance or RadiusArrayName changed. Camera, actor, property,
+ * lookup table, Radius and clipping planes rebuild nothing.
+ *
+ * <b>Colours</b> follow vtkMapper: ScalarVisibility, ScalarMode, the selected array and component,
+ * ColorMode, LookupTable and ScalarRange. Scalars are stored as 8 bits over the range of the array
+ * and looked up when drawing; unsigned char arrays with ColorMode default, and any array with
+ * ColorMode direct, are direct colours. InterpolateScalarsBeforeMapping has no effect: along a line
+ * scalars are always interpolated before they are mapped. Where the array that was asked for is
+ * missing or of the wrong length, the lines get the property's colour, and a warning says so once.
+ * Of vtkProperty count colours, ambient, diffuse, specular, specular power, opacity and lighting;
+ * representation, line width, interpolation and textures do not.
+ *
+ * <b>Passes.</b> The picture is ray cast once per frame and drawn as one layer with depth, in the
+ * plain pass and in order-independent translucency and depth peeling. Rays end at opaque actors
+ * drawn before. To other translucent actors the lines are one layer, at the depth of the first
+ * line.
+ *
+ * <b>Selection</b> with vtkHardwareSelector gives for cells the cell of the input that a line came
+ * from, with the composite index 1 (plus the index of the input connection, where a shared model
+ * was made from several), and for points that point of the cell which is nearest to what is
+ * seen. A shared model knows no points, so that points cannot be selected in it: a warning says so.
+ *
+ * <b>Errors.</b> A setter that is given a value out of range reports an error that names the range
+ * and keeps the last valid value. Where the graphics context cannot do what is needed, an error
+ * names what is missing, once, and nothing is drawn by this mapper; the rest of the scene is.
+ *
+ * @sa vtkLineVoxelizer vtkVoxelLineModel
+ */
+
+#ifndef vtkVoxelLineMapper_h
+#define vtkVoxelLineMapper_h
+
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderingLineSetsModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkVoxelLineModel;
+
+class VTKRENDERINGLINESETS_EXPORT vtkVoxelLineMapper : public vtkPolyDataMapper
+{
+public:
+  static vtkVoxelLineMapper* New();
+  vtkTypeMacro(vtkVoxelLineMapper, vtkPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Where rays are cast.
+  enum EngineType
+  {
+    Automatic = 0, ///< native where OpenGL runs on the processor, shader else
+    Native = 1,    ///< on the processor, over tiles with vtkSMPTools
+    Shader = 2     ///< in a fragment shader (OpenGL 3.2)
+  };
+
+  ///@{
+  /**
+   * The input without a pipeline. Any other way of vtkAlgorithm serves as well, with port 0.
+   */
+  void SetInputData(vtkPolyData* input);
+  void SetInputData(vtkVoxelLineModel* input);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the tubes, in units of the data, 0 or above; the actor's matrix scales it with the
+   * data. Default 0: 1/1024 of the longest side of the lines' bounds. Without effect where the
+   * model has radii of its own; see RadiusArrayName. A negative or not finite value is an error.
+   */
+  virtual void SetRadius(double radius);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  /// Radius that is drawn, in units of the data; updates the model. Of several radii the largest.
+  double GetRadiusInUse();
+
+  ///@{
+  /**
+   * Name of a point array of the input with one radius per point, in units of the data. Default
+   * empty: all tubes have the same radius. Only for vtkPolyData; see vtkLineVoxelizer.
+   */
+  virtual void SetRadiusArrayName(const std::string& name);
+  vtkGetMacro(RadiusArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Number of voxels along the longest side of the lines' bounds, 1 or above. Default 256. Only for
+   * vtkPolyData; see vtkLineVoxelizer. A value out of range is an error.
+   */
+  virtual void SetResolution(int resolution);
+  vtkGetMacro(Resolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * Bins along the edge of a voxel face to which points are rounded: a power of two from 2 to 2048,
+   * or 0 for exact points. Default 32. Only for vtkPolyData; see vtkLineVoxelizer. Another value is
+   * an error.
+   */
+  virtual void SetFaceBins(int bins);
+  vtkGetMacro(FaceBins, int);
+  ///@}
+
+  ///@{
+  /**
+   * How far a line may deviate inside a voxel before its points there are kept, in voxels, 0 or
+   * above. Default: vtkLineVoxelizer's. Only for vtkPolyData. A negative or not finite value is an
+   * error.
+   */
+  virtual void SetInteriorTolerance(double tolerance);
+  vtkGetMacro(InteriorTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Opacity at which a ray ends, 0 to 1. Default 0.99 (Kanzler et al., Sec. 4). 1: a ray ends only
+   * behind an opaque line; 0: at its first line. A value out of range is an error.
+   */
+  virtual void SetEarlyTermination(double opacity);
+  vtkGetMacro(EarlyTermination, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where rays are cast (EngineType). Default Automatic: on the processor where GL_RENDERER names a
+   * software renderer (llvmpipe, softpipe, SWR, swrast, SwiftShader, Software Rasterizer, GDI
+   * Generic, Microsoft Basic Render), else in a shader. Both give the same picture. Another value
+   * is an error.
+   */
+  virtual void SetEngine(int engine);
+  vtkGetMacro(Engine, int);
+  void SetEngineToAutomatic() { this->SetEngine(Automatic); }
+  void SetEngineToNative() { this->SetEngine(Native); }
+  void SetEngineToShader() { this->SetEngine(Shader); }
+  ///@}
+
+  /// Engine of the last frame: Native or Shader; Automatic before the first one.
+  vtkGetMacro(EngineInUse, int);
+
+  /**
+   * The model that is drawn: the input or what was built of it; nullptr without input. It is
+   * brought up to date first, unless Static is on.
+   */
+  vtkVoxelLineModel* GetModel();
+
+  /// Seconds that the mapper spent on building its model the last time; 0 for a shared model.
+  vtkGetMacro(ModelBuildTime, double);
+
+  /// Bytes on the graphics device: the model, where a shader draws it, and pictures.
+  vtkIdType GetGraphicsMemory();
+
+  ///@{
+  /**
+   * Bounds of the tubes in data coordinates: those of the lines, grown by the largest radius. The
+   * input is brought up to date first, unless Static is on.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  ///@}
+
+  /// Whether lookup table or direct colours let something through; the property's opacity comes on
+  /// top.
+  bool HasTranslucentPolygonalGeometry() override;
+
+  void Render(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+
+  /// Release what lies on the graphics device; may be called several times. The model is kept.
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+protected:
+  vtkVoxelLineMapper();
+  ~vtkVoxelLineMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void ComputeBounds() override;
+
+  double Radius = 0.0;
+  std::string RadiusArrayName;
+  int Resolution = 256;
+  int FaceBins = 32;
+  double InteriorTolerance = 0.0;
+  double EarlyTermination = 0.99;
+  int Engine = Automatic;
+  int EngineInUse = Automatic;
+  double ModelBuildTime = 0.0;
+
+private:
+  vtkVoxelLineMapper(const vtkVoxelLineMapper&) = delete;
+  void operator=(const vtkVoxelLineMapper&) = delete;
+
+  void BuildModel(vtkPolyData* lines);
+  void WarnOnce(std::string& last, const std::string& warning);
+  void ErrorOnce(const std::string& error);
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVoxelLinePainter.h"
+
+#include "vtkActor.h"
+#include "vtkDataObject.h"
+#include "vtkHardwareSelector.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkTimerLog.h"
+#include "vtkVoxelLineColoring.h"
+#include "vtkVoxelLineMapper.h"
+#include "vtkVoxelLineModel.h"
+#include "vtkVoxelLineSelection.h"
+
+#define LINESETS_USE_OPENGL
+#include "vtkLineSetsCompatibilityPrivate.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace
+{
+// An early end that no sum of opacities reaches: rays end behind opaque lines only.
+constexpr float NeverEarly = 2.0f;
+
+// Points are selected on top of a picture that was drawn just before; this much nearer, in units of
+// the depth buffer, so that rounding between two engines does not matter.
+constexpr float SelectionDepthOffset = -1e-5f;
+
+bool IsSoftwareRenderer(std::string name)
+{
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const char* part : { "llvmpipe", "softpipe", "swr", "swrast", "swiftshader",
+         "software rasterizer", "software renderer", "gdi generic", "microsoft basic render" })
+  {
+    if (name.find(part) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkVoxelLinePainter::vtkVoxelLinePainter() = default;
+
+//------------------------------------------------------------------------------
+vtkVoxelLinePainter::~vtkVoxelLinePainter() = default;
+
+//------------------------------------------------------------------------------
+bool vtkVoxelLinePainter::Cached::IsSame(const Cached& other) const
+{
+  return this->Valid && other.Valid && this->FrameNumber == other.FrameNumber &&
+    this->Renderer == other.Renderer && this->Actor == other.Actor && this->Model == other.Model &&
+    this->ModelTime == other.ModelTime && this->Engine == other.Engine &&
+    vtkVoxelLineFrameBuilder::IsSamePicture(this->Frame, other.Frame);
+}
+
+//------------------------------------------------------------------------------
+int vtkVoxelLinePainter::ChooseEngine(int engine, vtkOpenGLRenderWindow* window)
+{
+  if (engine != vtkVoxelLineMapper::Automatic)
+  {
+    return engine;
+  }
+  window->MakeCurrent();
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return IsSoftwareRenderer(name ? name : "") ? vtkVoxelLineMapper::Native
+                                              : vtkVoxelLineMapper::Shader;
+}
+
+//------------------------------------------------------------------------------
+vtkVoxelLineFrameBuilder::Grid vtkVoxelLinePainter::GetGrid(const Scene& scene)
+{
+  vtkVoxelLineFrameBuilder::Grid grid;
+  scene.Model->GetOrigin(grid.Origin);
+  scene.Model->GetDimensions(grid.Dimensions);
+  grid.VoxelSize = scene.Model->GetVoxelSize();
+  grid.Margin = scene.Radius / grid.VoxelSize;
+  return grid;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLinePainter::Draw(
+  const Scene& scene, vtkRenderer* renderer, vtkActor* actor, std::string& warning)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    return "an OpenGL render window is needed";
+  }
+  const double start = vtkTimerLog::GetUniversalTime();
+  // The viewport of the framebuffer that is drawn to, which a pass may have made its own.
+  int viewport[4] = { 0, 0, 0, 0 };
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  std::string error;
+  if (viewport[2] > 0 && viewport[3] > 0 && size[0] > 0 && size[1] > 0)
+  {
+    error = renderer->GetSelector()
+      ? this->DrawSelection(scene, renderer, actor, window, viewport, warning)
+      : this->DrawPicture(scene, renderer, actor, window, viewport, warning);
+  }
+  // Never 0, which VTK takes for "not drawn yet".
+  this->Seconds = std::max(vtkTimerLog::GetUniversalTime() - start, 1e-4);
+  if (this->EngineInUse == vtkVoxelLineMapper::Shader)
+  {
+    this->Seconds =
+      std::max(this->Seconds, static_cast<double>(this->Timer.GetReusableElapsedSeconds()));
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* renderer,
+  vtkActor* actor, vtkOpenGLRenderWindow* window, const int viewport[4], std::string& warning)
+{
+  Cached wanted;
+  wanted.Valid = true;
+  wanted.FrameNumber = this->Frames.GetFrame(renderer);
+  wanted.Renderer = renderer;
+  wanted.Actor = actor;
+  wanted.Model = scene.Model;
+  wanted.ModelTime = scene.Model->GetMTime();
+  wanted.Engine = ChooseEngine(scene.Mapper->GetEngine(), window);
+  this->EngineInUse = wanted.Engine;
+
+  const vtkVoxelLineFrameBuilder::Grid grid = GetGrid(scene);
+  const vtkVoxelLineFrameBuilder::View view =
+    vtkVoxelLineFrameBuilder::GetView(renderer, actor, viewport[2], viewport[3]);
+  vtkVoxelLineFrame& frame = wanted.Frame;
+  std::string error = vtkVoxelLineFrameBuilder::SetView(frame, view, grid);
+  if (!error.empty())
+  {
+    return error;
+  }
+  vtkVoxelLineFrameBuilder::SetClippingPlanes(frame, scene.Mapper->GetClippingPlanes(), view, grid);
+  vtkVoxelLineFrameBuilder::SetProperty(frame, actor->GetProperty());
+  vtkVoxelLineFrameBuilder::SetLights(frame, renderer);
+  vtkVoxelLineColoring::SetColors(frame, scene.Mapper, scene.Model);
+  frame.Radius = static_cast<float>(grid.Margin);
+  const double early = scene.Mapper->GetEarlyTermination();
+  frame.EarlyTermination = early < 1.0 ? static_cast<float>(early) : NeverEarly;
+
+  if (!this->Last.IsSame(wanted))
+  {
+    error = this->CastPicture(scene, renderer, window, viewport, wanted, warning);
+    if (!error.empty())
+    {
+      this->Last.Valid = false;
+      return error;
+    }
+    this->Last = std::move(wanted);
+  }
+  return this->Layer.Draw(window, scene.Mapper, actor, viewport[0], viewport[1]);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkRenderer* renderer,
+  vtkOpenGLRenderWindow* window, const int viewport[4], Cached& wanted, std::string& warning)
+{
+  vtkVoxelLineFrame& frame = wanted.Frame;
+  ++this->NumberOfPictures;
+
+  // Opaque lines need no depth of the scene: the final draw is tested against it, and a line behind
+  // it hides nothing that is seen.
+  const bool opaque = frame.Coloring == vtkVoxelLineFrame::Direct
+    ? frame.Opacity >= 1.0f && !scene.TranslucentColors
+    : frame.IsOpaque();
+  int readOrigin[2] = { 0, 0 };
+  if (!opaque)
+  {
+    int size[2];
+    int origin[2];
+    renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+    vtkLineSetsSceneDepth::GetReadOrigin(window, viewport, origin, readOrigin);
+  }
+  const char* noDepth = "the depth of the scene cannot be read from the framebuffer; lines behind "
+                        "opaque actors may shine through translucent ones";
+
+  if (wanted.Engine == vtkVoxelLineMapper::Shader)
+  {
+    vtkTextureObject* depth =
+      opaque ? nullptr : this->SceneDepth.Copy(window, readOrigin, frame.Width, frame.Height);
+    if (!opaque && !depth)
+    {
+      warning = noDepth;
+    }
+    this->Timer.ReusableStart();
+    const bool done = this->ShaderEngine.Render(window, scene.Model, frame, depth);
+    this->Timer.ReusableStop();
+    if (!done)
+    {
+      return this->ShaderEngine.GetError();
+    }
+    this->Layer.SetTextures(
+      this->ShaderEngine.GetColorTexture(), this->ShaderEngine.GetDepthTexture());
+    return {};
+  }
+
+  frame.SceneDepth.clear();
+  if (!opaque &&
+    !this->SceneDepth.Read(window, readOrigin, frame.Width, frame.Height, frame.SceneDepth))
+  {
+    warning = noDepth;
+  }
+  vtkVoxelLineNativeEngine::Render(scene.Model, frame, this->Picture);
+  // Read by nobody any more, and large.
+  frame.SceneDepth = std::vector<float>();
+  if (this->Picture.NumberOfOverflows > 0)
+  {
+    warning = "in " + std::to_string(this->Picture.NumberOfOverflows) +
+      " pixels more lines overlap than can be told apart, so that some may be blended twice at a "
+      "joint; a smaller radius or a higher resolution avoids it";
+  }
+  return this->Layer.SetPicture(window, frame.Width, frame.Height, this->Picture.Color.data(),
+           this->Picture.Depth.data())
+    ? std::string()
+    : "there is not enough graphics memory for a picture of the size of the viewport";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLinePainter::DrawSelection(const Scene& scene, vtkRenderer* renderer,
+  vtkActor* actor, vtkOpenGLRenderWindow* window, const int viewport[4], std::string& warning)
+{
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  if (selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS && !scene.Input)
+  {
+    warning = "points cannot be selected in a model, which does not know them; select cells";
+    return {};
+  }
+
+  // Only the area that is asked for.
+  vtkVoxelLineFrameBuilder::View view =
+    vtkVoxelLineFrameBuilder::GetView(renderer, actor, viewport[2], viewport[3]);
+  const unsigned int* area = selector->GetArea();
+  for (int i = 0; i < 2; ++i)
+  {
+    const int first = std::max(static_cast<int>(area[i]) - viewport[i], 0);
+    const int last = std::min(static_cast<int>(area[i + 2]) - viewport[i], viewport[i + 2] - 1);
+    view.PictureOrigin[i] = first;
+    view.PictureSize[i] = last - first + 1;
+  }
+  if (view.PictureSize[0] <= 0 || view.PictureSize[1] <= 0)
+  {
+    return {};
+  }
+
+  selector->BeginRenderProp();
+  selector->UpdateMaximumCellId(vtkVoxelLineSelection::GetLargestCell(scene.Model));
+  if (scene.Input)
+  {
+    selector->UpdateMaximumPointId(scene.Input->GetNumberOfPoints() - 1);
+  }
+  std::string error = this->DrawNumbers(scene, selector, actor, window, viewport, view);
+  selector->EndRenderProp();
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLinePainter::DrawNumbers(const Scene& scene, vtkHardwareSelector* selector,
+  vtkActor* actor, vtkOpenGLRenderWindow* window, const int viewport[4],
+  const vtkVoxelLineFrameBuilder::View& view)
+{
+  const bool points = selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  Cached wanted;
+  wanted.Valid = true;
+  wanted.FrameNumber = points ? 1 : 0;
+  wanted.Actor = actor;
+  wanted.Model = scene.Model;
+  wanted.ModelTime = scene.Model->GetMTime();
+  wanted.Frame.Picking = true;
+  const vtkVoxelLineFrameBuilder::Grid grid = GetGrid(scene);
+  const std::string error = vtkVoxelLineFrameBuilder::SetView(wanted.Frame, view, grid);
+  if (!error.empty())
+  {
+    return error;
+  }
+  vtkVoxelLineFrameBuilder::SetClippingPlanes(
+    wanted.Frame, scene.Mapper->GetClippingPlanes(), view, grid);
+  wanted.Frame.Radius = static_cast<float>(grid.Margin);
+
+  // The selector draws the scene once per number; one picture serves for all.
+  if (!this->LastPick.IsSame(wanted))
+  {
+    vtkVoxelLineNativeEngine::Render(scene.Model, wanted.Frame, this->PickPicture);
+    this->PickPoints.clear();
+    if (points)
+    {
+      this->PickPoints = vtkVoxelLineSelection::GetPoints(
+        scene.Model, scene.Input, wanted.Frame, grid, this->PickPicture);
+    }
+    this->LastPick = std::move(wanted);
+  }
+  vtkVoxelLineSelection::GetColors(
+    selector, scene.Model, this->PickPicture, this->PickPoints, this->PickColors);
+  this->Last.Valid = false;
+  const vtkVoxelLineFrame& frame = this->LastPick.Frame;
+  if (!this->Layer.SetPicture(
+        window, frame.Width, frame.Height, this->PickColors.data(), this->PickPicture.Depth.data()))
+  {
+    return "there is not enough graphics memory for a picture of the selected area";
+  }
+  return this->Layer.Draw(window, scene.Mapper, actor, viewport[0] + view.PictureOrigin[0],
+    viewport[1] + view.PictureOrigin[1], points ? SelectionDepthOffset : 0.0f);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkVoxelLinePainter::GetNumberOfBytes() const
+{
+  return this->Layer.GetNumberOfBytes() + this->SceneDepth.GetNumberOfBytes() +
+    this->ShaderEngine.GetNumberOfBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLinePainter::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Last.Valid = false;
+  this->LastPick.Valid = false;
+  this->Layer.ReleaseGraphicsResources(window);
+  this->SceneDepth.ReleaseGraphicsResources(window);
+  this->ShaderEngine.ReleaseGraphicsResources(window);
+  this->Timer.ReleaseGraphicsResources();
+}

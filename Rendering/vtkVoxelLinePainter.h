@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkVoxelLinePainter
+ * @brief   the part of vtkVoxelLineMapper that deals with the graphics device
+ *
+ * For each frame of a renderer it describes the picture (vtkVoxelLineFrameBuilder,
+ * vtkVoxelLineColoring), has one of the two engines cast the rays, and draws the result as one
+ * layer (vtkLineSetsLayer). Where a render pass draws the prop again in the same frame, the picture
+ * is replayed. For vtkHardwareSelector it draws numbers instead (vtkVoxelLineSelection).
+ */
+
+#ifndef vtkVoxelLinePainter_h
+#define vtkVoxelLinePainter_h
+
+#include "vtkLineSetsFrameCounter.h"
+#include "vtkLineSetsLayer.h"
+#include "vtkLineSetsSceneDepth.h"
+#include "vtkVoxelLineFrameBuilder.h"
+#include "vtkVoxelLineNativeEngine.h"
+#include "vtkVoxelLineShaderEngine.h"
+
+#include "vtkOpenGLRenderTimer.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkHardwareSelector;
+class vtkOpenGLRenderWindow;
+class vtkPolyData;
+class vtkRenderer;
+class vtkVoxelLineMapper;
+class vtkVoxelLineModel;
+class vtkWindow;
+
+class vtkVoxelLinePainter
+{
+public:
+  vtkVoxelLinePainter();
+  ~vtkVoxelLinePainter();
+
+  /// What to draw, apart from what mapper, renderer and actor tell.
+  struct Scene
+  {
+    vtkVoxelLineMapper* Mapper = nullptr;
+    vtkVoxelLineModel* Model = nullptr;
+    /// The lines that the model was made of, where they are known.
+    vtkPolyData* Input = nullptr;
+    /// Largest radius, in units of the data.
+    double Radius = 0.0;
+    /// Whether direct colours of the model let something through.
+    bool TranslucentColors = false;
+  };
+
+  /**
+   * Draw into the active pass. Returns an empty string, or else why nothing was drawn; warning is
+   * set where something was drawn that is not quite right.
+   */
+  std::string Draw(
+    const Scene& scene, vtkRenderer* renderer, vtkActor* actor, std::string& warning);
+
+  /// vtkVoxelLineMapper::EngineType that would cast rays in a window.
+  static int ChooseEngine(int engine, vtkOpenGLRenderWindow* window);
+
+  /// Engine of the last Draw().
+  int GetEngineInUse() const { return this->EngineInUse; }
+
+  /// Seconds that the last Draw() took, on the processor or, where longer, on the graphics device.
+  double GetSeconds() const { return this->Seconds; }
+
+  /// Number of pictures ray cast so far; replays do not count. For tests.
+  vtkIdType GetNumberOfPictures() const { return this->NumberOfPictures; }
+
+  /// Bytes on the graphics device.
+  vtkIdType GetNumberOfBytes() const;
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkVoxelLinePainter(const vtkVoxelLinePainter&) = delete;
+  void operator=(const vtkVoxelLinePainter&) = delete;
+
+  // A picture that can be drawn again.
+  struct Cached
+  {
+    bool Valid = false;
+    vtkIdType FrameNumber = -1;
+    vtkRenderer* Renderer = nullptr;
+    vtkActor* Actor = nullptr;
+    vtkVoxelLineModel* Model = nullptr;
+    vtkMTimeType ModelTime = 0;
+    int Engine = 0;
+    vtkVoxelLineFrame Frame;
+
+    bool IsSame(const Cached& other) const;
+  };
+
+  static vtkVoxelLineFrameBuilder::Grid GetGrid(const Scene& scene);
+  std::string DrawPicture(const Scene& scene, vtkRenderer* renderer, vtkActor* actor,
+    vtkOpenGLRenderWindow* window, const int viewport[4], std::string& warning);
+  std::string CastPicture(const Scene& scene, vtkRenderer* renderer, vtkOpenGLRenderWindow* window,
+    const int viewport[4], Cached& wanted, std::string& warning);
+  std::string DrawSelection(const Scene& scene, vtkRenderer* renderer, vtkActor* actor,
+    vtkOpenGLRenderWindow* window, const int viewport[4], std::string& warning);
+  std::string DrawNumbers(const Scene& scene, vtkHardwareSelector* selector, vtkActor* actor,
+    vtkOpenGLRenderWindow* window, const int viewport[4],
+    const vtkVoxelLineFrameBuilder::View& view);
+
+  vtkLineSetsLayer Layer;
+  vtkLineSetsSceneDepth SceneDepth;
+  vtkLineSetsFrameCounter Frames;
+  vtkVoxelLineShaderEngine ShaderEngine;
+  vtkOpenGLRenderTimer Timer;
+
+  Cached Last;
+  Cached LastPick;
+  vtkVoxelLinePicture Picture;
+  vtkVoxelLinePicture PickPicture;
+  std::vector<vtkIdType> PickPoints;
+  std::vector<std::uint8_t> PickColors;
+
+  int EngineInUse = 0;
+  double Seconds = 0.0;
+  vtkIdType NumberOfPictures = 0;
+};
+
+#endif
+
+// VTK-HeaderTest-Exclude: vtkVoxelLinePainter.h
