@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneFields.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace linesets
+{
+namespace
+{
+bool IsInUnitCube(const double point[3])
+{
+  return std::all_of(point, point + 3, [](double x) { return x >= 0.0 && x <= 1.0; });
+}
+
+// Linear interpolation in the cell whose eight corners are given by their indices along the axes.
+void Interpolate(const std::vector<std::array<float, 3>>& values, const std::size_t corners[3][2],
+  const double weights[3], double result[3])
+{
+  std::fill_n(result, 3, 0.0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const int upper[3] = { corner & 1, (corner >> 1) & 1, corner >> 2 };
+    double weight = 1.0;
+    std::size_t index = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      weight *= upper[i] ? weights[i] : 1.0 - weights[i];
+      index += corners[i][upper[i]];
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      result[i] += weight * values[index][i];
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool TornadoField::Evaluate(const double point[3], double, double vector[3]) const
+{
+  if (!IsInUnitCube(point))
+  {
+    return false;
+  }
+  const double z = point[2];
+  const double x = point[0] - (0.5 + 0.1 * std::sin(10.0 * z));
+  const double y = point[1] - (0.5 + 0.1 * std::cos(3.0 * z));
+  const double funnel = 0.1 + 0.4 * z * z + 0.1 * z * std::sin(8.0 * z);
+  const double wall = 0.2 + 0.1 * z;
+  const double distance = std::hypot(x, y);
+  const double rise = std::max(0.0, 0.1 * (0.1 - distance * z));
+  const double fromWall = std::fabs(funnel - distance);
+  const double damping = fromWall > wall ? 0.8 - fromWall : 1.0;
+  const double speed = std::hypot(distance, rise);
+  const double spin = (funnel + wall - speed) * damping / ((speed + 1e-10) * (1.0 + z));
+  vector[0] = spin * y + 0.1 * x;
+  vector[1] = -spin * x + 0.1 * y;
+  vector[2] = spin * rise;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool LorenzField::Evaluate(const double point[3], double, double vector[3]) const
+{
+  vector[0] = 10.0 * (point[1] - point[0]);
+  vector[1] = point[0] * (28.0 - point[2]) - point[1];
+  vector[2] = point[0] * point[1] - 8.0 / 3.0 * point[2];
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool WaterField::Evaluate(const double point[3], double, double vector[3]) const
+{
+  // Bond length 0.9572 angstrom, bond angle 104.5 degrees.
+  const double across = 0.75695;
+  const double along = 0.58588;
+  const double atoms[3][3] = { { 0.0, 0.0, 0.0 }, { across, along, 0.0 }, { -across, along, 0.0 } };
+  const double charges[3] = { -2.0, 1.0, 1.0 };
+  std::fill_n(vector, 3, 0.0);
+  for (int atom = 0; atom < 3; ++atom)
+  {
+    double r[3];
+    vtkMath::Subtract(point, atoms[atom], r);
+    const double distance = vtkMath::Norm(r);
+    if (distance < 0.5 * OxygenRadius)
+    {
+      return false;
+    }
+    const double factor = charges[atom] / (distance * distance * distance);
+    for (int i = 0; i < 3; ++i)
+    {
+      vector[i] += factor * r[i];
+    }
+  }
+  return std::all_of(point, point + 3, [](double x) { return std::fabs(x) <= 6.0; });
+}
+
+//------------------------------------------------------------------------------
+WindField::WindField(std::uint64_t seed)
+{
+  Random random(seed);
+  const int count = 9;
+  for (int i = 0; i < count; ++i)
+  {
+    Wave wave;
+    const double length = 1.2 * std::pow(0.75, i);
+    const double number = vtkMath::Pi() * 2.0 / length;
+    const double angle = random.Uniform(0.0, 2.0 * vtkMath::Pi());
+    wave.Number[0] = number * std::cos(angle);
+    wave.Number[1] = number * std::sin(angle);
+    wave.Number[2] = random.Uniform(-4.0, 4.0);
+    wave.Frequency = random.Uniform(-0.5, 1.0) * number * 0.4;
+    wave.Phase = random.Uniform(0.0, 2.0 * vtkMath::Pi());
+    // Speed of about 0.25 for the longest wave, falling with its length.
+    wave.Amplitude = 0.25 * std::pow(length / 1.2, 1.0 / 3.0) / number;
+    this->Waves.push_back(wave);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool WindField::Evaluate(const double point[3], double time, double vector[3]) const
+{
+  if (point[0] < 0.0 || point[0] > 2.0 || point[1] < 0.0 || point[1] > 1.0 || point[2] < 0.0 ||
+    point[2] > 0.25)
+  {
+    return false;
+  }
+  const double height = point[2] / 0.25;
+  const double jet = std::sin(vtkMath::Pi() * point[1]);
+  vector[0] = (0.3 + 0.6 * height) * jet * jet;
+  vector[1] = 0.0;
+  vector[2] = 0.0;
+  double lift = 0.0;
+  for (const Wave& wave : this->Waves)
+  {
+    const double phase = vtkMath::Dot(wave.Number, point) - wave.Frequency * time + wave.Phase;
+    const double slope = wave.Amplitude * std::cos(phase);
+    vector[0] -= slope * wave.Number[1];
+    vector[1] += slope * wave.Number[0];
+    lift += slope;
+  }
+  vector[2] = 4.0 * lift * height * (1.0 - height);
+  // No wind through the walls at the sides.
+  vector[1] *= std::min(1.0, 10.0 * std::min(point[1], 1.0 - point[1]));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+ImageField::ImageField(vtkImageData* image, double slowest)
+  : Slowest(slowest)
+{
+  vtkDataArray* vectors = image->GetPointData()->GetVectors();
+  if (!vectors)
+  {
+    throw std::runtime_error("the image has no point vectors");
+  }
+  image->GetOrigin(this->Origin);
+  image->GetSpacing(this->Spacing);
+  image->GetDimensions(this->Dimensions);
+  int extent[6];
+  image->GetExtent(extent);
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Origin[i] += extent[2 * i] * this->Spacing[i];
+  }
+  this->Vectors.resize(vectors->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+  {
+    double vector[3];
+    vectors->GetTuple(i, vector);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Vectors[i][axis] = static_cast<float>(vector[axis]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool ImageField::Evaluate(const double point[3], double, double vector[3]) const
+{
+  std::size_t corners[3][2];
+  double weights[3];
+  std::size_t stride = 1;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double position = (point[i] - this->Origin[i]) / this->Spacing[i];
+    const int last = this->Dimensions[i] - 1;
+    if (!(position >= 0.0 && position <= last))
+    {
+      return false;
+    }
+    const int cell = std::min(static_cast<int>(position), std::max(0, last - 1));
+    weights[i] = position - cell;
+    corners[i][0] = cell * stride;
+    corners[i][1] = std::min(cell + 1, last) * stride;
+    stride *= this->Dimensions[i];
+  }
+  Interpolate(this->Vectors, corners, weights, vector);
+  return vtkMath::Norm(vector) >= this->Slowest;
+}
+
+//------------------------------------------------------------------------------
+bool TurbulenceField::Evaluate(const double point[3], double, double vector[3]) const
+{
+  if (!IsInUnitCube(point))
+  {
+    return false;
+  }
+  std::size_t corners[3][2];
+  double weights[3];
+  std::size_t stride = 1;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double position = point[i] * Size;
+    const int cell = static_cast<int>(position);
+    weights[i] = position - cell;
+    corners[i][0] = (cell % Size) * stride;
+    corners[i][1] = ((cell + 1) % Size) * stride;
+    stride *= Size;
+  }
+  Interpolate(this->Grid, corners, weights, vector);
+  return true;
+}
+}
