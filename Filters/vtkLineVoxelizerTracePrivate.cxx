@@ -90,6 +90,7 @@ CurveTracer::CurveTracer(
   , Codec(faceBins)
   , Tolerance2(interiorTolerance * interiorTolerance)
   , Values(payload)
+  , Layout(this->Codec, payload)
 {
 }
 
@@ -352,10 +353,11 @@ void CurveTracer::Write(const Sample& first, const Sample& last, const CodedPoin
   const int* bricks = this->Cells.BrickDimensions;
   this->Target->Cells.push_back(static_cast<std::uint32_t>(
     voxel[0] / size + bricks[0] * (voxel[1] / size + bricks[1] * (voxel[2] / size))));
-  this->Target->VoxelBits.push_back(static_cast<std::uint8_t>(
-    voxel[0] % size + size * (voxel[1] % size + size * (voxel[2] % size))));
 
-  std::uint32_t words[6];
+  std::vector<std::uint32_t>& records = this->Target->Records;
+  const std::size_t offset = records.size();
+  records.resize(offset + this->Layout.Stride);
+  std::uint32_t* words = records.data() + offset;
   if (this->Codec.FaceBins == 0)
   {
     float points[6];
@@ -364,29 +366,33 @@ void CurveTracer::Write(const Sample& first, const Sample& last, const CodedPoin
       points[axis] = static_cast<float>(start.Point[axis]);
       points[3 + axis] = static_cast<float>(end.Point[axis]);
     }
-    std::memcpy(words, points, sizeof(words));
+    std::memcpy(words, points, sizeof(points));
   }
   else
   {
     this->Codec.Pack(start.Code, end.Code, words);
   }
-  this->Target->Words.insert(this->Target->Words.end(), words, words + this->Codec.Words);
 
-  this->WritePayload(first);
-  this->WritePayload(last);
+  std::uint8_t* bytes = reinterpret_cast<std::uint8_t*>(words + this->Layout.Words);
+  bytes = this->WriteAttribute(first, bytes);
+  bytes = this->WriteAttribute(last, bytes);
+  if (this->Values.HasRadii)
+  {
+    *bytes++ = ByteOf(first.Radius, 255);
+    *bytes++ = ByteOf(last.Radius, 255);
+  }
+  *bytes = static_cast<std::uint8_t>(
+    voxel[0] % size + size * (voxel[1] % size + size * (voxel[2] % size)));
 }
 
 //------------------------------------------------------------------------------
-void CurveTracer::WritePayload(const Sample& sample)
+std::uint8_t* CurveTracer::WriteAttribute(const Sample& sample, std::uint8_t* bytes) const
 {
   for (int i = 0; i < this->Values.AttributeSize; ++i)
   {
-    this->Target->Attributes.push_back(ByteOf(sample.Attribute[i], this->Values.LargestByte));
+    *bytes++ = ByteOf(sample.Attribute[i], this->Values.LargestByte);
   }
-  if (this->Values.HasRadii)
-  {
-    this->Target->Radii.push_back(ByteOf(sample.Radius, 255));
-  }
+  return bytes;
 }
 
 }

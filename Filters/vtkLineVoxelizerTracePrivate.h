@@ -54,15 +54,40 @@ struct Payload
   bool HasRadii = false;
 };
 
+/// How a traced segment lies in memory, in one place, since it will be fetched in another order:
+/// its words, then bytes: attributes of both ends, radii of both ends, its voxel's bit in the mask.
+struct RecordLayout
+{
+  RecordLayout(const vtkVoxelLineEncoding::Codec& codec, const Payload& payload)
+    : Words(static_cast<std::size_t>(codec.Words))
+    , AttributeBytes(2 * static_cast<std::size_t>(payload.AttributeSize))
+    , RadiusBytes(payload.HasRadii ? 2 : 0)
+    , Stride(this->Words + (this->AttributeBytes + this->RadiusBytes + 1 + 3) / 4)
+  {
+  }
+  /// The bytes of a record; radii follow AttributeBytes, the voxel bit follows these.
+  const std::uint8_t* GetBytes(const std::uint32_t* record) const
+  {
+    return reinterpret_cast<const std::uint8_t*>(record + this->Words);
+  }
+  std::uint8_t GetVoxelBit(const std::uint32_t* record) const
+  {
+    return this->GetBytes(record)[this->AttributeBytes + this->RadiusBytes];
+  }
+
+  std::size_t Words;
+  std::size_t AttributeBytes;
+  std::size_t RadiusBytes;
+  /// Words from one record to the next.
+  std::size_t Stride;
+};
+
 /// Segments in the order in which the curves are walked.
 struct Trace
 {
-  /// Index of the brick cell of each segment and its voxel's bit in the brick's mask.
+  /// Index of the brick cell of each segment.
   std::vector<std::uint32_t> Cells;
-  std::vector<std::uint8_t> VoxelBits;
-  std::vector<std::uint32_t> Words;
-  std::vector<std::uint8_t> Attributes;
-  std::vector<std::uint8_t> Radii;
+  std::vector<std::uint32_t> Records;
   /// Number of segments of each curve.
   std::vector<std::uint32_t> CurveSizes;
   std::int64_t NumberOfCollapsed = 0;
@@ -101,12 +126,13 @@ private:
     std::size_t first, std::size_t last, const CodedPoint& start, const CodedPoint& end);
   void Write(const Sample& first, const Sample& last, const CodedPoint& start,
     const CodedPoint& end, const int voxel[3]);
-  void WritePayload(const Sample& sample);
+  std::uint8_t* WriteAttribute(const Sample& sample, std::uint8_t* bytes) const;
 
   const Grid& Cells;
   const vtkVoxelLineEncoding::Codec Codec;
   const double Tolerance2;
   const Payload Values;
+  const RecordLayout Layout;
 
   /// The voxel that the walk is in, and the curve inside it.
   int Voxel[3] = { 0, 0, 0 };

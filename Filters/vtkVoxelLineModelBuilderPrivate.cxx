@@ -29,6 +29,8 @@ constexpr std::size_t VoxelsPerBrick = 64;
 constexpr vtkIdType BricksPerTask = 64;
 constexpr int WordsPerRow = 5;
 constexpr vtkIdType SegmentsPerTask = 65536;
+/// Emission indices that share an entry of the table that tells their curves.
+constexpr std::size_t EmissionsPerEntry = 64;
 
 template <typename T>
 void CopyTo(const std::vector<T>& source, T* target)
@@ -49,6 +51,14 @@ vtkSmartPointer<ArrayT> MakeArray(int components, std::size_t tuples)
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
   return array;
+}
+
+/// How many values are equal to another one before them. Sorts the values.
+template <typename T>
+std::int64_t CountRepetitions(std::vector<T>& values)
+{
+  std::sort(values.begin(), values.end());
+  return values.end() - std::unique(values.begin(), values.end());
 }
 
 /// Call worker(cell, first, size) for each run of segments in the same cell: curves are coherent, so
@@ -93,7 +103,9 @@ private:
   /// Emission indices of the brick's segments in ascending order, and the local id of their curves.
   std::vector<std::uint32_t> Emissions;
   std::vector<std::uint32_t> LocalIds;
-  std::vector<std::array<std::uint32_t, 6>> Keys;
+  std::vector<std::uint8_t> VoxelBits;
+  std::vector<std::uint64_t> Keys;
+  std::vector<std::array<std::uint32_t, 6>> ExactKeys;
 };
 
 //------------------------------------------------------------------------------
@@ -101,6 +113,7 @@ ModelBuilder::ModelBuilder(const Grid& grid, int faceBins, const Payload& payloa
   : Cells(grid)
   , Codec(faceBins)
   , Values(payload)
+  , Layout(this->Codec, payload)
 {
 }
 
@@ -118,24 +131,23 @@ void ModelBuilder::TakeSegments(std::vector<Trace>& blocks)
     starts.push_back(this->NumberOfSegments);
   }
   this->CurveStarts.push_back(static_cast<std::uint32_t>(this->NumberOfSegments));
+  for (std::size_t curve = 0; curve + 1 < this->CurveStarts.size(); ++curve)
+  {
+    while (this->FirstCurves.size() * EmissionsPerEntry < this->CurveStarts[curve + 1])
+    {
+      this->FirstCurves.push_back(static_cast<std::uint32_t>(curve));
+    }
+  }
 
-  const std::size_t words = static_cast<std::size_t>(this->Codec.Words);
-  const std::size_t attributes = 2 * static_cast<std::size_t>(this->Values.AttributeSize);
-  const std::size_t radii = this->Values.HasRadii ? 2 : 0;
+  const std::size_t stride = this->Layout.Stride;
   this->SegmentCells.Allocate(this->NumberOfSegments);
-  this->VoxelBits.Allocate(this->NumberOfSegments);
-  this->Words.Allocate(words * this->NumberOfSegments);
-  this->Attributes.Allocate(attributes * this->NumberOfSegments);
-  this->Radii.Allocate(radii * this->NumberOfSegments);
+  this->Records.Allocate(stride * this->NumberOfSegments);
   vtkSMPTools::For(0, static_cast<vtkIdType>(blocks.size()), 1, [&](vtkIdType begin, vtkIdType end) {
     for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
     {
       Trace& block = blocks[i];
       CopyTo(block.Cells, this->SegmentCells.Get(starts[i]));
-      CopyTo(block.VoxelBits, this->VoxelBits.Get(starts[i]));
-      CopyTo(block.Words, this->Words.Get(words * starts[i]));
-      CopyTo(block.Attributes, this->Attributes.Get(attributes * starts[i]));
-      CopyTo(block.Radii, this->Radii.Get(radii * starts[i]));
+      CopyTo(block.Records, this->Records.Get(stride * starts[i]));
       block = Trace();
     }
   });
@@ -199,9 +211,13 @@ void ModelBuilder::BrickWriter::ListCurves(const ModelBuilder& builder, Assembly
     // Curves own consecutive emission indices, and these ascend here: one search for each curve.
     if (this->Emissions[i] >= curveEnd)
     {
-      const auto next = std::upper_bound(starts.begin(), starts.end(), this->Emissions[i]);
-      assembly.Curves.push_back(static_cast<std::uint32_t>(next - starts.begin() - 1));
-      curveEnd = *next;
+      std::uint32_t curve = builder.FirstCurves[this->Emissions[i] / EmissionsPerEntry];
+      while (starts[curve + 1] <= this->Emissions[i])
+      {
+        ++curve;
+      }
+      assembly.Curves.push_back(curve);
+      curveEnd = starts[curve + 1];
       ++size;
     }
     this->LocalIds[i] = size - 1;
@@ -213,29 +229,28 @@ void ModelBuilder::BrickWriter::ListCurves(const ModelBuilder& builder, Assembly
 std::int64_t ModelBuilder::BrickWriter::CountDuplicates(
   const vtkVoxelLineEncoding::Codec& codec, const std::uint32_t* words, std::size_t size)
 {
-  this->Keys.resize(size);
-  for (std::size_t i = 0; i < size; ++i, words += codec.Words)
+  // A key is the same for both directions of a segment.
+  if (codec.FaceBins == 0)
   {
-    std::array<std::uint32_t, 6>& key = this->Keys[i];
-    key.fill(0);
-    if (codec.FaceBins == 0)
+    this->ExactKeys.resize(size);
+    for (std::array<std::uint32_t, 6>& key : this->ExactKeys)
     {
-      const bool isSwapped =
-        std::lexicographical_compare(words + 3, words + 6, words, words + 3);
+      const bool isSwapped = std::lexicographical_compare(words + 3, words + 6, words, words + 3);
       std::copy_n(words + (isSwapped ? 3 : 0), 3, key.begin());
       std::copy_n(words + (isSwapped ? 0 : 3), 3, key.begin() + 3);
-      continue;
+      words += codec.Words;
     }
-    key[0] = codec.StartCode(words);
-    key[1] = codec.EndCode(words);
-    if (key[1] < key[0])
-    {
-      std::swap(key[0], key[1]);
-    }
+    return CountRepetitions(this->ExactKeys);
   }
-  std::sort(this->Keys.begin(), this->Keys.end());
-  const auto distinct = std::unique(this->Keys.begin(), this->Keys.end()) - this->Keys.begin();
-  return static_cast<std::int64_t>(size) - distinct;
+  this->Keys.resize(size);
+  for (std::uint64_t& key : this->Keys)
+  {
+    const std::uint64_t start = codec.StartCode(words);
+    const std::uint64_t end = codec.EndCode(words);
+    key = start < end ? start << 32 | end : end << 32 | start;
+    words += codec.Words;
+  }
+  return CountRepetitions(this->Keys);
 }
 
 //------------------------------------------------------------------------------
@@ -254,10 +269,14 @@ void ModelBuilder::BrickWriter::Write(
   row[4] = static_cast<std::uint32_t>(assembly.Curves.size());
   this->ListCurves(builder, assembly);
 
+  const RecordLayout& layout = builder.Layout;
   std::array<std::uint32_t, VoxelsPerBrick + 1> voxelStarts{};
-  for (std::uint32_t emission : this->Emissions)
+  this->VoxelBits.resize(this->Emissions.size());
+  for (std::size_t i = 0; i < this->Emissions.size(); ++i)
   {
-    ++voxelStarts[builder.VoxelBits[emission] + 1u];
+    this->VoxelBits[i] =
+      layout.GetVoxelBit(builder.Records.Get(layout.Stride * this->Emissions[i]));
+    ++voxelStarts[this->VoxelBits[i] + 1u];
   }
   std::uint64_t mask = 0;
   for (std::size_t voxel = 0; voxel < VoxelsPerBrick; ++voxel)
@@ -273,32 +292,27 @@ void ModelBuilder::BrickWriter::Write(
   row[0] = static_cast<std::uint32_t>(mask);
   row[1] = static_cast<std::uint32_t>(mask >> 32);
 
-  const std::size_t size = static_cast<std::size_t>(builder.Codec.Words);
-  const std::size_t attributes = 2 * static_cast<std::size_t>(builder.Values.AttributeSize);
-  std::uint32_t* words =
-    static_cast<std::uint32_t*>(model->GetSegments()->GetVoidPointer(0)) + size * first;
-  std::uint8_t* attribute =
-    attributes ? model->GetAttributes()->GetPointer(0) + attributes * first : nullptr;
-  std::uint8_t* radius =
-    builder.Values.HasRadii ? model->GetRadii()->GetPointer(0) + std::size_t(2) * first : nullptr;
   std::array<std::uint32_t, VoxelsPerBrick> cursors;
   std::copy_n(voxelStarts.begin(), VoxelsPerBrick, cursors.begin());
+  std::uint32_t* words =
+    static_cast<std::uint32_t*>(model->GetSegments()->GetVoidPointer(0)) + layout.Words * first;
+  std::uint8_t* attributes = layout.AttributeBytes > 0
+    ? model->GetAttributes()->GetPointer(0) + layout.AttributeBytes * first
+    : nullptr;
+  std::uint8_t* radii = layout.RadiusBytes > 0
+    ? model->GetRadii()->GetPointer(0) + layout.RadiusBytes * first
+    : nullptr;
   for (std::size_t i = 0; i < this->Emissions.size(); ++i)
   {
-    const std::size_t emission = this->Emissions[i];
-    const std::size_t target = cursors[builder.VoxelBits[emission]]++;
-    std::copy_n(builder.Words.Get(size * emission), size, words + size * target);
-    builder.Codec.PackCurve(this->LocalIds[i], words + size * target);
+    const std::uint32_t* record = builder.Records.Get(layout.Stride * this->Emissions[i]);
+    const std::uint8_t* bytes = layout.GetBytes(record);
+    const std::size_t target = cursors[this->VoxelBits[i]]++;
+    std::copy_n(record, layout.Words, words + layout.Words * target);
+    builder.Codec.PackCurve(this->LocalIds[i], words + layout.Words * target);
     order[target] = this->LocalIds[i];
-    if (attribute)
-    {
-      std::copy_n(
-        builder.Attributes.Get(attributes * emission), attributes, attribute + attributes * target);
-    }
-    if (radius)
-    {
-      std::copy_n(builder.Radii.Get(2 * emission), 2, radius + 2 * target);
-    }
+    std::copy_n(bytes, layout.AttributeBytes, attributes + layout.AttributeBytes * target);
+    std::copy_n(
+      bytes + layout.AttributeBytes, layout.RadiusBytes, radii + layout.RadiusBytes * target);
   }
   for (std::size_t voxel = 0; voxel < VoxelsPerBrick; ++voxel)
   {
@@ -306,7 +320,7 @@ void ModelBuilder::BrickWriter::Write(
     if (voxelSize > 1)
     {
       assembly.NumberOfDuplicates +=
-        this->CountDuplicates(builder.Codec, words + size * voxelStarts[voxel], voxelSize);
+        this->CountDuplicates(builder.Codec, words + layout.Words * voxelStarts[voxel], voxelSize);
     }
   }
 }
@@ -349,10 +363,7 @@ void ModelBuilder::AssembleBricks(vtkVoxelLineModel* model)
       }
     }
   });
-  this->VoxelBits.Free();
-  this->Words.Free();
-  this->Attributes.Free();
-  this->Radii.Free();
+  this->Records.Free();
   this->JoinBricks(model, assemblies);
 }
 

@@ -82,16 +82,16 @@ private:
   const Grid& Cells;
   const vtkVoxelLineEncoding::Codec Codec;
   const Payload Values;
+  const RecordLayout Layout;
 
   std::size_t NumberOfSegments = 0;
   /// By emission index.
   Buffer<std::uint32_t> SegmentCells;
-  Buffer<std::uint8_t> VoxelBits;
-  Buffer<std::uint32_t> Words;
-  Buffer<std::uint8_t> Attributes;
-  Buffer<std::uint8_t> Radii;
+  Buffer<std::uint32_t> Records;
   /// Emission index of the first segment of each curve, and the number of segments.
   std::vector<std::uint32_t> CurveStarts;
+  /// The curve of every 64th emission index, from which the curve of the others is not far.
+  std::vector<std::uint32_t> FirstCurves;
 
   /// Cell and first segment of each brick, and the number of segments.
   std::vector<std::uint32_t> BrickCells;

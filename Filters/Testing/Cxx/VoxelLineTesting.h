@@ -322,19 +322,21 @@ inline vtkSmartPointer<vtkVoxelLineModel> MakeModel(Checks& check, vtkPolyData* 
 /**
  * The segments of a curve in the order in which they hang together, found by their end points alone.
  * Empty where they are not one chain. A curve may pass a point several times, so that this takes
- * the trail that uses every segment once (Hierholzer).
+ * the trail that uses every segment once (Hierholzer). A closed chain begins in the point
+ * nearest to the given grid-local one.
  */
-inline std::vector<Segment> Chain(const std::vector<Segment>& all, vtkIdType curve)
+inline std::vector<Segment> Chain(
+  const std::vector<Segment>& all, vtkIdType curve, const Point& begin = { 0.0, 0.0, 0.0 })
 {
   std::map<Point, std::vector<Segment>> leaving;
   std::map<Point, int> balance;
   std::size_t size = 0;
-  Point start = { 0.0, 0.0, 0.0 };
+  Point start = { 1e30, 1e30, 1e30 };
   for (const Segment& segment : all)
   {
     if (segment.Curve == curve)
     {
-      start = segment.Start;
+      start = Length(segment.Start - begin) < Length(start - begin) ? segment.Start : start;
       leaving[segment.Start].push_back(segment);
       ++balance[segment.Start];
       --balance[segment.End];
