@@ -36,9 +36,9 @@ mkdir -p "$pictures"
 python=$(sed -n 's/^Python3_EXECUTABLE:[A-Z]*=//p' "$build/CMakeCache.txt")
 # Below this speed the measurement is noise.
 "${python:-python3}" Examples/Python/trace_streamlines.py Testing/Data/carotid.vti "$lines" \
-  --vectors velocity --weights speed --terminal-speed 1.5 --count 2400
+  --vectors velocity --weights speed --terminal-speed 1.2 --count 2400
 
-render=("$build/bin/RenderLines" "$lines" --color-by speed --radius 0.06 --size 1024x768)
+render=("$build/bin/RenderLines" "$lines" --color-by speed --radius 0.12 --size 1024x768)
 if [ "$window" = yes ]; then
   exec "${render[@]}" --opacity 0.25
 fi

@@ -5,12 +5,11 @@ import argparse
 
 import vtkmodules.vtkInteractionStyle
 from linesets import vtkVoxelLineMapper
-from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor, vtkWindowToImageFilter)
+    vtkActor, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter)
 
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("file")
@@ -32,11 +31,10 @@ mapper.SetScalarVisibility(options.color_by is not None)
 if options.color_by:
     on_points = lines.GetPointData().HasArray(options.color_by)
     array = (lines.GetPointData() if on_points else lines.GetCellData()).GetArray(options.color_by)
-    table = vtkLookupTable()
+    table = mapper.GetLookupTable()
+    table.SetHueRange(0.667, 0.0)
     table.SetVectorModeToMagnitude()
-    table.SetTableRange(array.GetFiniteRange(-1 if array.GetNumberOfComponents() > 1 else 0))
-    mapper.SetLookupTable(table)
-    mapper.UseLookupTableScalarRangeOn()
+    mapper.SetScalarRange(array.GetFiniteRange(-1 if array.GetNumberOfComponents() > 1 else 0))
     mapper.SetScalarMode(3 if on_points else 4)  # VTK_SCALAR_MODE_USE_..._FIELD_DATA
     mapper.SelectColorArray(options.color_by)
 actor, renderer, window = vtkActor(), vtkRenderer(), vtkRenderWindow()
@@ -47,6 +45,9 @@ renderer.SetBackground(1, 1, 1)
 window.AddRenderer(renderer)
 window.SetSize([int(length) for length in options.size.split("x")])
 window.SetOffScreenRendering(options.output is not None)
+renderer.GetActiveCamera().SetPosition(0, -1, 0.3)
+renderer.GetActiveCamera().SetViewUp(0, 0, 1)
+renderer.ResetCameraScreenSpace()
 window.Render()
 if options.output:
     picture, writer = vtkWindowToImageFilter(), vtkPNGWriter()
@@ -55,6 +56,4 @@ if options.output:
     writer.SetFileName(options.output)
     writer.Write()
 else:
-    interactor = vtkRenderWindowInteractor()
-    interactor.SetRenderWindow(window)
-    interactor.Start()
+    window.MakeRenderWindowInteractor().Start()

@@ -183,13 +183,13 @@ void ColorBy(const std::string& name, vtkPolyData* lines, vtkMapper* mapper)
       "there is no array \"" + name + "\", but" + (names.empty() ? " none" : names));
   }
 
-  // From dark blue over green to yellow. Vectors are coloured by magnitude; NaN does not count for
+  // From blue over pale yellow to red. Vectors are coloured by magnitude; NaN does not count for
   // the range.
   double range[2];
   array->GetFiniteRange(range, array->GetNumberOfComponents() > 1 ? -1 : 0);
   vtkNew<vtkColorTransferFunction> table;
-  const double colors[5][3] = { { 0.267, 0.005, 0.329 }, { 0.231, 0.322, 0.545 },
-    { 0.129, 0.569, 0.549 }, { 0.369, 0.788, 0.384 }, { 0.993, 0.906, 0.144 } };
+  const double colors[5][3] = { { 0.17, 0.32, 0.66 }, { 0.35, 0.66, 0.83 }, { 0.95, 0.92, 0.75 },
+    { 0.96, 0.62, 0.32 }, { 0.80, 0.15, 0.15 } };
   for (int i = 0; i < 5; ++i)
   {
     table->AddRGBPoint(
@@ -253,7 +253,6 @@ void Render(const Options& options)
   renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
   renderer->GetActiveCamera()->SetPosition(0.0, -1.0, 0.3);
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
-  renderer->ResetCamera();
   renderer->ResetCameraScreenSpace();
 
   if (!options.Output.empty())
