@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BenchmarkOptions.h"
+
+#include "BenchmarkMethod.h"
+#include "Scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <ostream>
+#include <stdexcept>
+
+namespace linesets
+{
+namespace
+{
+std::vector<std::string> Split(const std::string& text)
+{
+  std::vector<std::string> parts(1);
+  for (const char c : text)
+  {
+    if (c == ',')
+    {
+      parts.emplace_back();
+    }
+    else
+    {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+std::string Join(const std::vector<std::string>& parts)
+{
+  std::string text;
+  for (const std::string& part : parts)
+  {
+    text += (text.empty() ? "" : " ") + part;
+  }
+  return text;
+}
+
+double ToNumber(const std::string& option, const std::string& text, double low, double high)
+{
+  std::size_t used = 0;
+  double value = 0.0;
+  try
+  {
+    value = std::stod(text, &used);
+  }
+  catch (const std::logic_error&)
+  {
+    used = 0;
+  }
+  if (used == 0 || used != text.size() || !(value >= low && value <= high))
+  {
+    throw std::invalid_argument(option + ": " + text + " is not a number from " +
+      std::to_string(low) + " to " + std::to_string(high));
+  }
+  return value;
+}
+
+long long ToInteger(
+  const std::string& option, const std::string& text, long long low, long long high)
+{
+  std::size_t used = 0;
+  long long value = 0;
+  try
+  {
+    value = std::stoll(text, &used);
+  }
+  catch (const std::logic_error&)
+  {
+    used = 0;
+  }
+  if (used == 0 || used != text.size() || value < low || value > high)
+  {
+    throw std::invalid_argument(option + ": " + text + " is not a whole number from " +
+      std::to_string(low) + " to " + std::to_string(high));
+  }
+  return value;
+}
+
+int ToInt(const std::string& option, const std::string& text, int low, int high)
+{
+  return static_cast<int>(ToInteger(option, text, low, high));
+}
+
+std::vector<std::string> ToNames(
+  const std::string& option, const std::string& text, const std::vector<std::string>& known)
+{
+  const std::vector<std::string> names = Split(text);
+  for (const std::string& name : names)
+  {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+    {
+      throw std::invalid_argument(
+        option + ": " + (name.empty() ? "an empty name" : name) + " is none of " + Join(known));
+    }
+    if (std::count(names.begin(), names.end(), name) > 1)
+    {
+      throw std::invalid_argument(option + ": " + name + " is named twice");
+    }
+  }
+  return names;
+}
+
+void SetSize(BenchmarkOptions& options, const std::string& text)
+{
+  const std::size_t x = text.find('x');
+  if (x == std::string::npos)
+  {
+    throw std::invalid_argument("--size: " + text + " is not of the form WIDTHxHEIGHT");
+  }
+  options.Width = ToInt("--size", text.substr(0, x), 1, 16384);
+  options.Height = ToInt("--size", text.substr(x + 1), 1, 16384);
+}
+
+int ToFaceBins(const std::string& text)
+{
+  const int bins = ToInt("--face-bins", text, 0, 2048);
+  if (bins == 1 || (bins & (bins - 1)) != 0)
+  {
+    throw std::invalid_argument(
+      "--face-bins: " + text + " is neither a power of two from 2 to 2048 nor 0 (exact)");
+  }
+  return bins;
+}
+
+using Setter = std::function<void(BenchmarkOptions&, const std::string&)>;
+
+std::map<std::string, Setter> GetSetters()
+{
+  using O = BenchmarkOptions;
+  using S = std::string;
+  return {
+    { "--scene", [](O& o, const S& v) { o.Scene = v; } },
+    { "--methods",
+      [](O& o, const S& v) { o.Methods = ToNames("--methods", v, GetMethodNames()); } },
+    { "--engine",
+      [](O& o, const S& v) {
+        o.Engines = ToNames("--engine", v, { "automatic", "native", "shader" });
+      } },
+    { "--radius", [](O& o, const S& v) { o.Radius = ToNumber("--radius", v, 1e-300, 1e300); } },
+    { "--lines", [](O& o, const S& v) { o.Lines = ToInteger("--lines", v, 1, 100000000); } },
+    { "--vertices", [](O& o, const S& v) { o.Vertices = ToInt("--vertices", v, 2, 1000000); } },
+    { "--size", SetSize },
+    { "--opacity", [](O& o, const S& v) { o.Opacity = ToNumber("--opacity", v, 0.0, 1.0); } },
+    { "--frames", [](O& o, const S& v) { o.Frames = ToInt("--frames", v, 1, 100000); } },
+    { "--threads", [](O& o, const S& v) { o.Threads = ToInt("--threads", v, 1, 1024); } },
+    { "--resolution", [](O& o, const S& v) { o.Resolution = ToInt("--resolution", v, 1, 4096); } },
+    { "--face-bins", [](O& o, const S& v) { o.FaceBins = ToFaceBins(v); } },
+    { "--json", [](O& o, const S& v) { o.JsonFile = v; } },
+    { "--image", [](O& o, const S& v) { o.ImagePrefix = v; } },
+    { "--data", [](O& o, const S& v) { o.DataFolder = v; } },
+  };
+}
+
+std::map<std::string, bool BenchmarkOptions::*> GetFlags()
+{
+  return { { "--reference", &BenchmarkOptions::Reference },
+    { "--reference-decoded", &BenchmarkOptions::DecodedReference },
+    { "--help", &BenchmarkOptions::Help } };
+}
+
+void CheckTogether(BenchmarkOptions& options)
+{
+  if (options.Scene.empty())
+  {
+    throw std::invalid_argument(
+      "no scene: name one of " + Join(GetSceneNames()) + " or a file of lines, .vtp or .vtk");
+  }
+  const std::vector<std::string> scenes = GetSceneNames();
+  const bool named = std::find(scenes.begin(), scenes.end(), options.Scene) != scenes.end();
+  if (!named && (options.Lines > 0 || options.Vertices > 0))
+  {
+    throw std::invalid_argument("--lines and --vertices do not apply to files");
+  }
+  if (!named && options.Scene.find('.') == std::string::npos)
+  {
+    throw std::invalid_argument(
+      options.Scene + " is none of " + Join(scenes) + ", nor a file .vtp or .vtk");
+  }
+  if (options.Methods.empty())
+  {
+    options.Methods = options.Opacity < 1.0
+      ? std::vector<std::string>{ "voxel", "peeling", "oit" }
+      : std::vector<std::string>{ "voxel", "tubes", "line-tubes" };
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+BenchmarkOptions ParseBenchmarkOptions(int argc, char* argv[])
+{
+  BenchmarkOptions options;
+  const auto setters = GetSetters();
+  const auto flags = GetFlags();
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string argument = argv[i];
+    const auto flag = flags.find(argument);
+    const auto setter = setters.find(argument);
+    if (flag != flags.end())
+    {
+      options.*(flag->second) = true;
+    }
+    else if (setter != setters.end())
+    {
+      if (i + 1 == argc)
+      {
+        throw std::invalid_argument(argument + " needs a value");
+      }
+      setter->second(options, argv[++i]);
+    }
+    else if (!argument.empty() && argument[0] == '-')
+    {
+      throw std::invalid_argument("unknown option " + argument + "; --help tells all");
+    }
+    else if (!options.Scene.empty())
+    {
+      throw std::invalid_argument("two scenes: " + options.Scene + " and " + argument);
+    }
+    else
+    {
+      options.Scene = argument;
+    }
+  }
+  if (!options.Help)
+  {
+    CheckTogether(options);
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void PrintBenchmarkHelp(std::ostream& out)
+{
+  out << R"(linesets-bench SCENE [options]
+Times how fast line sets are drawn, by several methods in turn, frame by frame, in one run, and
+writes one JSON object per method.
+
+SCENE or --scene SCENE   )"
+      << Join(GetSceneNames()) << R"(,
+                         or a file of lines, .vtp or .vtk, coloured by its active point scalars
+--lines N --vertices N   size of a named scene, in place of its own
+--methods LIST           of )"
+      << Join(GetMethodNames()) << R"(, separated by commas
+                         (default voxel,tubes,line-tubes; below opacity 1 voxel,peeling,oit)
+  voxel                  vtkVoxelLineMapper
+  tubes                  vtkTubeFilter with 8 sides, back faces culled; translucent tubes are
+                         drawn as VTK does by default
+  peeling                the same by dual depth peeling, without a limit of peels
+  oit                    the same by VTK's order-independent translucency
+  line-tubes             lines as they are, with RenderLinesAsTubes of vtkProperty; the width is
+                         that of the tubes at the focal point
+--engine LIST            of automatic native shader, for voxel (default automatic); each gives an
+                         object of its own
+--resolution N           voxels along the longest side of the bounds, for voxel (default 256)
+--face-bins N            bins along a voxel's edge, for voxel (default 32; 0 for exact points)
+--radius R               of the tubes in units of the data (default: 1/1024 of the longest side
+                         of the bounds, that is, a quarter voxel of 256)
+--opacity A              0 to 1 (default 1)
+--size WxH               of the image (default 1024x768)
+--frames N               frames that count, after one that does not (default 5); the camera moves
+                         by 2 degrees from frame to frame
+--threads N              of vtkSMPTools and of software OpenGL (default: all)
+--reference              also compare each picture of the first view with an exact one: keys rmse,
+                         ssim
+--reference-decoded      for voxel, also with an exact picture of the model: key rmse_decoded
+--json FILE              where the JSON goes (default: standard output)
+--image PREFIX           write the pictures of the first view as PREFIX-METHOD.png
+--data DIR               folder of carotid.vti
+--help                   this text
+
+Keys: scene lines vertices method engine width height opacity radius frames median_ms min_ms max_ms
+build_ms first_frame_ms model_bytes gpu_bytes segments rmse ssim rmse_decoded ratio_tubes
+ratio_peeling renderer vtk threads error. Keys that do not apply are left out. Times are wall clock
+times of a frame until OpenGL has finished; build_ms is the time to make the model or the tubes,
+first_frame_ms that of the first frame after it, with uploads and shaders. gpu_bytes of tubes is
+computed from the arrays that VTK uploads. rmse is in [0,1]. A ratio is the median time of tubes or
+peeling over that of the method. The exit status is 0 if all went well, 1 if a method failed, which
+its object tells as "error", and 2 for a wrong command line.
+)";
+}
+}

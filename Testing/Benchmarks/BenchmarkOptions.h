@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The command line of linesets-bench.
+ */
+
+#ifndef BenchmarkOptions_h
+#define BenchmarkOptions_h
+
+#include <iosfwd> // For the help
+#include <string> // For names
+#include <vector> // For lists
+
+namespace linesets
+{
+struct BenchmarkOptions
+{
+  std::string Scene;
+  std::vector<std::string> Methods;
+  std::vector<std::string> Engines = { "automatic" };
+  double Radius = 0.0; ///< 0: 1/1024 of the longest side of the bounds
+  long long Lines = 0;
+  int Vertices = 0;
+  int Width = 1024;
+  int Height = 768;
+  double Opacity = 1.0;
+  int Frames = 5;
+  int Threads = 0; ///< 0: all
+  int Resolution = 256;
+  int FaceBins = 32;
+  bool Reference = false;
+  bool DecodedReference = false;
+  std::string JsonFile;
+  std::string ImagePrefix;
+  std::string DataFolder;
+  bool Help = false;
+};
+
+/// Parse the command line; throws std::invalid_argument naming what is wrong and what would be
+/// right. Without --methods, Methods are those that suit the opacity.
+BenchmarkOptions ParseBenchmarkOptions(int argc, char* argv[]);
+
+/// Tell all options.
+void PrintBenchmarkHelp(std::ostream& out);
+}
+
+#endif
