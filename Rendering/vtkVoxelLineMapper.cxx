@@ -350,6 +350,12 @@ double vtkVoxelLineMapper::GetRadiusInUse()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkVoxelLineMapper::GetNumberOfPictures()
+{
+  return this->Internals->Painter.GetNumberOfPictures();
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkVoxelLineMapper::GetGraphicsMemory()
 {
   return this->Internals->Painter.GetNumberOfBytes();
@@ -492,6 +498,7 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "EngineInUse: " << this->EngineInUse << "\n";
   os << indent << "ModelBuildTime: " << this->ModelBuildTime << "\n";
+  os << indent << "NumberOfPictures: " << this->GetNumberOfPictures() << "\n";
   os << indent << "GraphicsMemory: " << this->GetGraphicsMemory() << "\n";
   os << indent << "Model: ";
   if (this->Internals->Model)

@@ -172,6 +172,12 @@ public:
   /// Seconds that the mapper spent on building its model the last time; 0 for a shared model.
   vtkGetMacro(ModelBuildTime, double);
 
+  /**
+   * Number of pictures ray cast so far. In a frame there is one, however often a render pass draws
+   * the mapper in it; pictures of selections do not count.
+   */
+  vtkIdType GetNumberOfPictures();
+
   /// Bytes on the graphics device: the model, where a shader draws it, and pictures.
   vtkIdType GetGraphicsMemory();
 

@@ -70,7 +70,7 @@ public:
   /// Seconds that the last Draw() took, on the processor or, where longer, on the graphics device.
   double GetSeconds() const { return this->Seconds; }
 
-  /// Number of pictures ray cast so far; replays do not count. For tests.
+  /// Number of pictures ray cast so far; replays and selections do not count.
   vtkIdType GetNumberOfPictures() const { return this->NumberOfPictures; }
 
   /// Bytes on the graphics device.
