@@ -32,10 +32,7 @@ function (linesets_test_sources executable)
     "${LINESETS_SOURCE_DIR}/Filters"
     "${LINESETS_SOURCE_DIR}/Rendering"
     "${LINESETS_SOURCE_DIR}/Testing/Reference")
-  target_link_libraries("${executable}" PRIVATE glm::glm)
-  if (EXISTS "${LINESETS_SOURCE_DIR}/Testing/Reference/CMakeLists.txt")
-    target_link_libraries("${executable}" PRIVATE linesets_reference)
-  endif ()
+  target_link_libraries("${executable}" PRIVATE glm::glm linesets_reference)
   if (LINESETS_COMPILE_OPTIONS)
     target_compile_options("${executable}" PRIVATE ${LINESETS_COMPILE_OPTIONS})
   endif ()
