@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the traversal asks of an engine, for a fragment shader: settings as uniforms, the model
-// in texture buffers. //LineSets::Constants is replaced by the constants of the frame's kind.
+// in texture buffers. The tag below is replaced by the constants of the frame's kind.
 
 #define Real float
 #define LS_OUT(T) out T

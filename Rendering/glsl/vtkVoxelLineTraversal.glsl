@@ -38,7 +38,7 @@ vec3 RayDirection;
 Real RayStart;
 Real RayEnd;
 Real RayLimit; // RayEnd before opaque hits shortened it
-int AxisU; // the two minor axes and the major one, along which the slabs lie
+int AxisU; // the two minor axes, U before V, and the major one, along which the slabs lie
 int AxisV;
 int AxisW;
 
@@ -450,75 +450,108 @@ bool blendHits(Real limit)
 
 // --- Slabs -------------------------------------------------------------------------------------------
 
-// Visits the voxels of a slab that lie within the radius of the ray between two distances.
-void visitSlab(int slab, Real from, Real to)
+// The 4 by 4 voxels of a brick that lie in one slab, as bits u + 4 v of the occupancy mask.
+uint sliceOfBrick(uvec4 record, int layer)
+{
+  if (AxisW == 2)
+  {
+    uint word = layer < 2 ? record.x : record.y;
+    return (word >> uint(16 * (layer & 1))) & 0xffffu;
+  }
+  if (AxisW == 1)
+  {
+    uint low = (record.x >> uint(4 * layer)) & 0x000f000fu;
+    uint high = (record.y >> uint(4 * layer)) & 0x000f000fu;
+    return (low & 0xfu) | ((low >> 12u) & 0xf0u) | ((high & 0xfu) << 8u) | ((high >> 4u) & 0xf000u);
+  }
+  uint low = (record.x >> uint(layer)) & 0x11111111u;
+  uint high = (record.y >> uint(layer)) & 0x11111111u;
+  low = (low | (low >> 3u)) & 0x03030303u;
+  high = (high | (high >> 3u)) & 0x03030303u;
+  low = (low | (low >> 6u)) & 0x000f000fu;
+  high = (high | (high >> 6u)) & 0x000f000fu;
+  return ((low | (low >> 12u)) & 0xffu) | (((high | (high >> 12u)) & 0xffu) << 8u);
+}
+
+// Visits an occupied voxel, unless it lies too far from the ray; p is the ray's point at distance t.
+void visitVoxel(ivec3 voxel, int brick, uvec4 record, vec3 p, Real t)
+{
+  // A voxel farther from the ray than this, centre to line, holds nothing that reaches the ray.
+  Real reach = Radius + Real(0.8661);
+  vec3 local = p - vec3(voxel);
+  vec3 toCenter = vec3(Real(0.5)) - local;
+  Real along = dot(toCenter, RayDirection);
+  if (dot(toCenter, toCenter) - along * along > reach * reach)
+  {
+    return;
+  }
+  uint bit = uint((voxel.x & 3) | ((voxel.y & 3) << 2) | ((voxel.z & 3) << 4));
+  uint below = (bit < 32u ? record.x : record.y) & ((1u << (bit & 31u)) - 1u);
+  uint rank = uint(countBits(below) + (bit < 32u ? 0 : countBits(record.x)));
+  uint first = record.z + fetchVoxelStart(record.w + rank);
+  uint end = record.z + fetchVoxelStart(record.w + rank + 1u);
+  beginCandidates(first, end, local);
+  for (uint segment = nextCandidate(first, end); segment < end;
+       segment = nextCandidate(segment + 1u, end))
+  {
+    visitSegment(segment, brick, voxel, local, t);
+  }
+}
+
+// Visits the voxels of a slab that lie within the radius of the ray between two distances. Returns
+// whether any brick there holds segments.
+bool visitSlab(int slab, Real from, Real to)
 {
   Real u0 = RayOrigin[AxisU] + RayDirection[AxisU] * from;
   Real u1 = RayOrigin[AxisU] + RayDirection[AxisU] * to;
   Real v0 = RayOrigin[AxisV] + RayDirection[AxisV] * from;
   Real v1 = RayOrigin[AxisV] + RayDirection[AxisV] * to;
-  int uFirst = max(int(floor(min(u0, u1) - Radius)), 0);
-  int uLast = min(int(floor(max(u0, u1) + Radius)), GridDimensions[AxisU] - 1);
-  int vFirst = max(int(floor(min(v0, v1) - Radius)), 0);
-  int vLast = min(int(floor(max(v0, v1) + Radius)), GridDimensions[AxisV] - 1);
-
-  // A voxel farther from the ray than this, centre to line, holds nothing that reaches the ray.
-  Real reach = Radius + Real(0.8661);
-  Real reach2 = reach * reach;
+  // Truncation serves as floor for what lies in the grid: what lies before it becomes its first row.
+  int uFirst = int(max(min(u0, u1) - Radius, Real(0)));
+  int uLast = min(int(max(u0, u1) + Radius + Real(1)) - 1, GridDimensions[AxisU] - 1);
+  int vFirst = int(max(min(v0, v1) - Radius, Real(0)));
+  int vLast = min(int(max(v0, v1) + Radius + Real(1)) - 1, GridDimensions[AxisV] - 1);
 
   Real t = middleOfSlab(slab);
   vec3 p = RayOrigin + RayDirection * t;
   ivec3 voxel;
   voxel[AxisW] = slab;
-  int lastCell = -1;
-  int brick = -1;
-  uvec4 record = uvec4(0u);
-  for (int v = vFirst; v <= vLast; ++v)
+  ivec3 cell;
+  cell[AxisW] = slab >> 2;
+  bool any = false;
+  for (int cellV = vFirst >> 2; cellV <= (vLast >> 2); ++cellV)
   {
-    for (int u = uFirst; u <= uLast; ++u)
+    for (int cellU = uFirst >> 2; cellU <= (uLast >> 2); ++cellU)
     {
-      voxel[AxisU] = u;
-      voxel[AxisV] = v;
-      int cell =
-        ((voxel.z >> 2) * BrickDimensions.y + (voxel.y >> 2)) * BrickDimensions.x + (voxel.x >> 2);
-      if (cell != lastCell)
-      {
-        lastCell = cell;
-        brick = fetchBrickGrid(cell);
-        if (brick >= 0)
-        {
-          record = fetchBrick(brick);
-        }
-      }
+      cell[AxisU] = cellU;
+      cell[AxisV] = cellV;
+      int brick = fetchBrickGrid((cell.z * BrickDimensions.y + cell.y) * BrickDimensions.x + cell.x);
       if (brick < 0)
       {
         continue;
       }
-      uint bit = uint((voxel.x & 3) | ((voxel.y & 3) << 2) | ((voxel.z & 3) << 4));
-      uint word = bit < 32u ? record.x : record.y;
-      if (((word >> (bit & 31u)) & 1u) == 0u)
+      any = true;
+      uvec4 record = fetchBrick(brick);
+      // The part of the slab's way that lies in this brick, as bits u + 4 v.
+      int uLow = max(uFirst - 4 * cellU, 0);
+      int uHigh = min(uLast - 4 * cellU, 3);
+      int vLow = max(vFirst - 4 * cellV, 0);
+      int vHigh = min(vLast - 4 * cellV, 3);
+      uint row = ((1u << uint(uHigh - uLow + 1)) - 1u) << uint(uLow);
+      uint rows = (((1u << uint(4 * (vHigh - vLow + 1))) - 1u) & 0x1111u) << uint(4 * vLow);
+      uint occupied = sliceOfBrick(record, slab & 3) & (row * rows);
+      while (occupied != 0u)
       {
-        continue;
-      }
-      vec3 local = p - vec3(voxel);
-      vec3 toCenter = vec3(Real(0.5)) - local;
-      Real along = dot(toCenter, RayDirection);
-      if (dot(toCenter, toCenter) - along * along > reach2)
-      {
-        continue;
-      }
-      uint below = word & ((1u << (bit & 31u)) - 1u);
-      uint rank = uint(countBits(below) + (bit < 32u ? 0 : countBits(record.x)));
-      uint first = record.z + fetchVoxelStart(record.w + rank);
-      uint end = record.z + fetchVoxelStart(record.w + rank + 1u);
-      beginCandidates(first, end, local);
-      for (uint segment = nextCandidate(first, end); segment < end;
-           segment = nextCandidate(segment + 1u, end))
-      {
-        visitSegment(segment, brick, voxel, local, t);
+        uint rest = occupied & (occupied - 1u);
+        int bit = countBits((occupied ^ rest) - 1u);
+        occupied = rest;
+        voxel[AxisU] = 4 * cellU + (bit & 3);
+        voxel[AxisV] = 4 * cellV + (bit >> 2);
+        visitVoxel(voxel, brick, record, p, t);
       }
     }
   }
+  return any;
 }
 
 // Number of slabs, from this one on, in which the widened ray meets only empty bricks; the brick
@@ -618,8 +651,8 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
   beginRay();
   vec3 size = abs(direction);
   AxisW = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-  AxisU = AxisW == 2 ? 0 : AxisW + 1;
-  AxisV = AxisU == 2 ? 0 : AxisU + 1;
+  AxisU = AxisW == 0 ? 1 : 0;
+  AxisV = AxisW == 2 ? 1 : 2;
 
   int slabs = GridDimensions[AxisW];
   int way = direction[AxisW] > Real(0) ? 1 : -1;
@@ -631,6 +664,7 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
   int resumeEnd = firstSlab;
   Real perUnit = Real(1) / direction[AxisW];
 
+  bool mayBeEmpty = true;
   int slab = firstSlab;
   while (!Finished)
   {
@@ -660,11 +694,14 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
       lastSlab = slab - way;
       continue;
     }
-    int empty = countEmptySlabs(slab, way);
-    if (empty > 0)
+    if (mayBeEmpty)
     {
-      slab += way * empty;
-      continue;
+      int empty = countEmptySlabs(slab, way);
+      if (empty > 0)
+      {
+        slab += way * empty;
+        continue;
+      }
     }
     if (Resuming && (way > 0 ? slab > resumeEnd : slab < resumeEnd))
     {
@@ -672,7 +709,7 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
     }
     Shortening = AllOpaque && from >= RayStart;
     Real to = (Real(way > 0 ? slab + 1 : slab) + widening - origin[AxisW]) * perUnit;
-    visitSlab(slab, from, to);
+    mayBeEmpty = !visitSlab(slab, from, to);
     slab += way;
   }
 }
