@@ -118,6 +118,10 @@ int vtkVoxelLineDensity::RequestData(vtkInformation* vtkNotUsed(request),
   density->FillValue(0.0f);
   image->GetPointData()->SetScalars(density);
   this->UpdateProgress(0.1);
+  if (vtkLineSetsCompatibility::CheckAbort(this))
+  {
+    return 1;
+  }
 
   const vtkVoxelLineSegments::Reader reader(model);
   const int* dimensions = model->GetDimensions();

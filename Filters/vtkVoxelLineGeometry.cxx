@@ -16,8 +16,8 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVoxelLineModel.h"
 #include "vtkVoxelLineSegmentsPrivate.h"
@@ -340,12 +340,12 @@ vtkIdTypeArray* AddCellArray(vtkPolyData* output, const char* name, vtkIdType si
   return array; // The cell data keeps it alive.
 }
 
-/// Lines of consecutive points, and the ids of their curves.
-void WriteCells(
+/// Lines of consecutive points, and the ids of their curves. Returns the first point of each.
+vtkSmartPointer<vtkIdTypeArray> WriteCells(
   vtkVoxelLineModel* model, const std::vector<Stretch>& stretches, vtkPolyData* output)
 {
   const vtkIdType size = static_cast<vtkIdType>(stretches.size());
-  vtkNew<vtkIdTypeArray> offsets;
+  auto offsets = vtkSmartPointer<vtkIdTypeArray>::New();
   offsets->SetNumberOfTuples(size + 1);
   vtkIdTypeArray* curveIds = AddCellArray(output, "CurveId", size);
   vtkIdTypeArray* inputIds = AddCellArray(output, "InputId", size);
@@ -367,6 +367,7 @@ void WriteCells(
   vtkNew<vtkCellArray> lines;
   lines->SetData(offsets, connectivity);
   output->SetLines(lines);
+  return offsets;
 }
 
 /// The stretches of all curves, in the order of the curves.
@@ -466,8 +467,7 @@ int vtkVoxelLineGeometry::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
 
-  WriteCells(model, stretches, output);
-  const vtkIdTypeArray* offsets = vtkIdTypeArray::SafeDownCast(output->GetLines()->GetOffsetsArray());
+  const vtkSmartPointer<vtkIdTypeArray> offsets = WriteCells(model, stretches, output);
   const PointWriter writer(
     model, reader, output->GetLines()->GetNumberOfConnectivityIds(), output);
   vtkSMPTools::For(0, static_cast<vtkIdType>(stretches.size()), CurvesPerBlock,

@@ -16,7 +16,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkTestErrorObserver.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVoxelLineModel.h"
 
@@ -54,6 +53,35 @@ public:
 
 private:
   int Failures = 0;
+};
+
+/// Catches and counts the errors and warnings of what it observes.
+class MessageObserver : public vtkCommand
+{
+public:
+  static MessageObserver* New() { return new MessageObserver; }
+
+  void Execute(vtkObject*, unsigned long event, void* text) override
+  {
+    const bool isError = event == vtkCommand::ErrorEvent;
+    ++(isError ? this->NumberOfErrors : this->NumberOfWarnings);
+    (isError ? this->ErrorMessage : this->WarningMessage) += static_cast<const char*>(text);
+  }
+
+  void Clear()
+  {
+    this->NumberOfErrors = this->NumberOfWarnings = 0;
+    this->ErrorMessage.clear();
+    this->WarningMessage.clear();
+  }
+
+  bool GetError() const { return this->NumberOfErrors > 0; }
+  bool GetWarning() const { return this->NumberOfWarnings > 0; }
+
+  int NumberOfErrors = 0;
+  int NumberOfWarnings = 0;
+  std::string ErrorMessage;
+  std::string WarningMessage;
 };
 
 inline Point operator+(const Point& a, const Point& b)
@@ -293,7 +321,7 @@ inline Point ToLocal(vtkVoxelLineModel* model, const Point& world)
 }
 
 /// Update a voxelizer; its errors and warnings go into the observer.
-inline vtkVoxelLineModel* Update(vtkLineVoxelizer* voxelizer, vtkTest::ErrorObserver* observer)
+inline vtkVoxelLineModel* Update(vtkLineVoxelizer* voxelizer, MessageObserver* observer)
 {
   observer->Clear();
   voxelizer->AddObserver(vtkCommand::ErrorEvent, observer);
@@ -312,10 +340,10 @@ inline vtkSmartPointer<vtkVoxelLineModel> MakeModel(Checks& check, vtkPolyData* 
   voxelizer->SetResolution(resolution);
   voxelizer->SetFaceBins(faceBins);
   voxelizer->SetInteriorTolerance(interiorTolerance);
-  vtkNew<vtkTest::ErrorObserver> observer;
+  vtkNew<MessageObserver> observer;
   vtkSmartPointer<vtkVoxelLineModel> model = Update(voxelizer, observer);
   check(!observer->GetError() && !observer->GetWarning(),
-    "no error or warning: " + observer->GetErrorMessage() + observer->GetWarningMessage());
+    "no error or warning: " + observer->ErrorMessage + observer->WarningMessage);
   return model;
 }
 

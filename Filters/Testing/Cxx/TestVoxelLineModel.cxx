@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Guards the structure of a model that others rely on: brick grid with exact distances, bricks,
+ * voxel starts, curve lists and the order of segments; its accounts of memory; and its life as
+ * pipeline data: copies, initialization, printing.
+ */
+
+#include "VoxelLineTesting.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkPointData.h"
+#include "vtkTrivialProducer.h"
+#include "vtkTypeUInt32Array.h"
+#include "vtkVoxelLineDistancePrivate.h"
+
+#include <sstream>
+
+using namespace VoxelLineTesting;
+
+namespace
+{
+
+/// Distances of all cells to the nearest occupied one, the slow way.
+std::vector<int> FindDistances(const std::vector<bool>& isOccupied, const int dims[3], int largest)
+{
+  std::vector<int> distances(isOccupied.size(), largest);
+  std::vector<std::array<int, 3>> occupied;
+  const auto placeOf = [dims](std::size_t cell) {
+    const int i = static_cast<int>(cell);
+    return std::array<int, 3>{ i % dims[0], i / dims[0] % dims[1], i / dims[0] / dims[1] };
+  };
+  for (std::size_t cell = 0; cell < isOccupied.size(); ++cell)
+  {
+    if (isOccupied[cell])
+    {
+      occupied.push_back(placeOf(cell));
+    }
+  }
+  for (std::size_t cell = 0; cell < isOccupied.size(); ++cell)
+  {
+    const std::array<int, 3> here = placeOf(cell);
+    for (const std::array<int, 3>& there : occupied)
+    {
+      const int distance = std::max({ std::abs(here[0] - there[0]), std::abs(here[1] - there[1]),
+        std::abs(here[2] - there[2]) });
+      distances[cell] = std::min(distances[cell], distance);
+    }
+  }
+  return distances;
+}
+
+void TestDistances(Checks& check)
+{
+  std::mt19937 generator(11);
+  const int sizes[][3] = { { 1, 1, 1 }, { 13, 9, 7 }, { 1, 20, 3 }, { 300, 2, 1 }, { 2, 1, 300 },
+    { 1, 300, 1 }, { 24, 24, 24 } };
+  for (const auto& dims : sizes)
+  {
+    for (int numberOfOccupied : { 0, 1, 2, 12 })
+    {
+      const std::size_t size = static_cast<std::size_t>(dims[0] * dims[1] * dims[2]);
+      std::vector<bool> isOccupied(size, false);
+      for (int i = 0; i < numberOfOccupied; ++i)
+      {
+        isOccupied[generator() % size] = true;
+      }
+      for (int largest : { 127, 5 })
+      {
+        std::vector<std::uint8_t> cells(size);
+        std::transform(isOccupied.begin(), isOccupied.end(), cells.begin(),
+          [](bool is) { return static_cast<std::uint8_t>(is ? 0 : 255); });
+        vtkVoxelLineDistance::Transform(cells, dims, largest);
+        const std::vector<int> expected = FindDistances(isOccupied, dims, largest);
+        check(std::equal(cells.begin(), cells.end(), expected.begin()),
+          "distances in a grid of " + std::to_string(dims[0]) + " x " + std::to_string(dims[1]) +
+            " x " + std::to_string(dims[2]) + " with " + std::to_string(numberOfOccupied) +
+            " occupied cells, clamped at " + std::to_string(largest));
+      }
+    }
+  }
+}
+
+void TestStructure(Checks& check, vtkVoxelLineModel* model)
+{
+  int bricks[3];
+  model->GetBrickDimensions(bricks);
+  const vtkIdType cells = static_cast<vtkIdType>(bricks[0]) * bricks[1] * bricks[2];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    check(bricks[axis] == (model->GetDimensions()[axis] + 3) / 4, "brick dimensions");
+  }
+  if (!check(model->GetBrickGrid()->GetNumberOfTuples() == cells, "one number per brick cell"))
+  {
+    return;
+  }
+  std::vector<bool> isOccupied(static_cast<std::size_t>(cells));
+  vtkIdType next = 0;
+  bool isAscending = true;
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    const double value = model->GetBrickGrid()->GetComponent(cell, 0);
+    isOccupied[static_cast<std::size_t>(cell)] = value >= 0.0;
+    isAscending = isAscending && (value < 0.0 || value == next);
+    next += value >= 0.0;
+  }
+  check(isAscending && next == model->GetNumberOfBricks(), "bricks are numbered along the grid");
+  const std::vector<int> distances = FindDistances(isOccupied, bricks, 127);
+  bool isExact = true;
+  for (std::size_t cell = 0; cell < distances.size(); ++cell)
+  {
+    isExact = isExact &&
+      (isOccupied[cell] ||
+        model->GetBrickGrid()->GetComponent(static_cast<vtkIdType>(cell), 0) == -distances[cell]);
+  }
+  check(isExact, "empty cells tell their distance");
+
+  const std::vector<Segment> segments = DecodeModel(model);
+  check(static_cast<vtkIdType>(segments.size()) == model->GetNumberOfSegments(), "all segments");
+  vtkIdType voxels = 0;
+  bool isOrdered = true;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    isOrdered = isOrdered && segments[i].Index == static_cast<vtkIdType>(i);
+    const bool isSameVoxel = i > 0 && segments[i].Voxel == segments[i - 1].Voxel;
+    voxels += !isSameVoxel;
+    isOrdered = isOrdered && (!isSameVoxel || segments[i - 1].Curve <= segments[i].Curve);
+    // Within a voxel and a curve, the order is that along the curve.
+    if (isSameVoxel && segments[i].Curve == segments[i - 1].Curve)
+    {
+      isOrdered = isOrdered && segments[i].Start != segments[i - 1].Start;
+    }
+  }
+  check(isOrdered, "segments are ordered by brick, voxel and curve");
+  check(voxels == model->GetNumberOfOccupiedVoxels(), "number of occupied voxels");
+
+  // The lists of curves ascend and name the curves of the brick and no other.
+  vtkIdType first = 0;
+  for (vtkIdType brick = 0; brick < model->GetNumberOfBricks(); ++brick)
+  {
+    std::vector<vtkIdType> used;
+    while (first < static_cast<vtkIdType>(segments.size()) &&
+      segments[static_cast<std::size_t>(first)].Brick == brick)
+    {
+      used.push_back(segments[static_cast<std::size_t>(first++)].Curve);
+    }
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    std::vector<vtkIdType> listed;
+    for (vtkIdType i = static_cast<vtkIdType>(model->GetBricks()->GetComponent(brick, 4));
+         i < model->GetBricks()->GetComponent(brick + 1, 4); ++i)
+    {
+      listed.push_back(static_cast<vtkIdType>(model->GetBrickCurves()->GetComponent(i, 0)));
+    }
+    if (!check(listed == used, "curves of brick " + std::to_string(brick)))
+    {
+      break;
+    }
+  }
+}
+
+void TestMemory(Checks& check, vtkVoxelLineModel* model)
+{
+  const vtkIdType segments = model->GetNumberOfSegments();
+  vtkIdType extension = model->GetCurveIdExtension()
+    ? segments * model->GetCurveIdExtension()->GetDataTypeSize()
+    : 0;
+  check(model->GetNumberOfBytes(vtkVoxelLineModel::SegmentPart) ==
+      4 * segments * model->GetSegmentWords() + extension,
+    "bytes of segments");
+  check(model->GetNumberOfBytes(vtkVoxelLineModel::AttributePart) == 2 * segments,
+    "bytes of attributes");
+  check(model->GetNumberOfBytes(vtkVoxelLineModel::RadiusPart) == 2 * segments, "bytes of radii");
+  check(model->GetNumberOfBytes(vtkVoxelLineModel::GridPart) ==
+      4 * model->GetBrickGrid()->GetNumberOfTuples() + 20 * (model->GetNumberOfBricks() + 1) +
+        2 * (model->GetNumberOfOccupiedVoxels() + model->GetNumberOfBricks()),
+    "bytes of the grid");
+  check(model->GetNumberOfBytes(vtkVoxelLineModel::CurvePart) ==
+      4 * model->GetBrickCurves()->GetNumberOfTuples() +
+        16 * model->GetNumberOfCurves(),
+    "bytes of the curves");
+  vtkIdType sum = 0;
+  for (int part = 0; part < vtkVoxelLineModel::NumberOfParts; ++part)
+  {
+    sum += model->GetNumberOfBytes(part);
+  }
+  check(sum == model->GetNumberOfBytes(), "the parts make the whole");
+  check(model->GetActualMemorySize() * 1024.0 >= sum, "memory size");
+}
+
+void TestCopies(Checks& check, vtkVoxelLineModel* model)
+{
+  std::ostringstream text;
+  model->Print(text);
+  vtkNew<vtkVoxelLineModel> shallow;
+  shallow->ShallowCopy(model);
+  vtkNew<vtkVoxelLineModel> deep;
+  deep->DeepCopy(model);
+  const auto arraysOf = [](vtkVoxelLineModel* m) {
+    return std::vector<vtkDataArray*>{ m->GetBrickGrid(), m->GetBricks(), m->GetVoxelStarts(),
+      m->GetSegments(), m->GetCurveIdExtension(), m->GetBrickCurves(), m->GetCurveCells(),
+      m->GetAttributes(), m->GetRadii() };
+  };
+  const std::vector<vtkDataArray*> arrays = arraysOf(model);
+  check(arraysOf(shallow) == arrays, "a shallow copy shares the arrays");
+  const std::vector<vtkDataArray*> copies = arraysOf(deep);
+  for (std::size_t i = 0; i < arrays.size(); ++i)
+  {
+    check(arrays[i] && copies[i] && arrays[i] != copies[i] &&
+        arrays[i]->GetNumberOfValues() == copies[i]->GetNumberOfValues() &&
+        arrays[i]->GetDataType() == copies[i]->GetDataType() &&
+        std::memcmp(arrays[i]->GetVoidPointer(0), copies[i]->GetVoidPointer(0),
+          static_cast<std::size_t>(arrays[i]->GetNumberOfValues() * arrays[i]->GetDataTypeSize())) ==
+          0,
+      "a deep copy has equal arrays of its own");
+  }
+  for (vtkVoxelLineModel* copy : { shallow.Get(), deep.Get() })
+  {
+    // Everything that is not an array is printed: the same text, but for what all objects print.
+    std::ostringstream copyText;
+    copy->Print(copyText);
+    const auto members = [](const std::string& all) { return all.substr(all.find("Dimensions")); };
+    check(members(copyText.str()) == members(text.str()), "a copy has all members");
+  }
+  shallow->Initialize();
+  check(shallow->GetNumberOfSegments() == 0 && shallow->GetNumberOfBytes() == 0 &&
+      shallow->GetNumberOfCurves() == 0 && shallow->GetDimensions()[0] == 0 &&
+      shallow->GetLargestDeviation() == 0.0 && shallow->GetNumberOfDroppedPoints() == 0,
+    "an initialized model is empty");
+  check(model->GetNumberOfSegments() > 0, "and the other one is not");
+
+  vtkMTimeType time = model->GetMTime();
+  model->SetSegments(model->GetSegments());
+  check(model->GetMTime() == time, "the same array changes nothing");
+  vtkNew<vtkTypeUInt32Array> other;
+  deep->SetSegments(other);
+  check(deep->GetMTime() > time && deep->GetSegments() == other.Get(), "another array does");
+
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(model);
+  producer->Update();
+  check(vtkVoxelLineModel::GetData(producer->GetOutputInformation(0)) == model,
+    "a model is pipeline data");
+  check(!vtkVoxelLineModel::GetData(static_cast<vtkInformation*>(nullptr)), "no data, no model");
+}
+
+}
+
+int TestVoxelLineModel(int, char*[])
+{
+  Checks check;
+  TestDistances(check);
+
+  vtkSmartPointer<vtkPolyData> lines = MakeLines(MakeSmoothCurves(400, 60));
+  vtkNew<vtkFloatArray> scalars;
+  scalars->SetName("Scalars");
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+  {
+    scalars->InsertNextValue(1.0f + i % 10);
+  }
+  lines->GetPointData()->SetScalars(scalars);
+  vtkNew<vtkLineVoxelizer> voxelizer;
+  voxelizer->SetInputData(lines);
+  voxelizer->SetRadiusArrayName("Scalars");
+  for (int bins : { 32, 512, 0 })
+  {
+    for (int resolution : { 9, 30 })
+    {
+      voxelizer->SetResolution(resolution);
+      voxelizer->SetFaceBins(bins);
+      voxelizer->Update();
+      TestStructure(check, voxelizer->GetOutput());
+      TestMemory(check, voxelizer->GetOutput());
+    }
+  }
+  voxelizer->SetFaceBins(32);
+  voxelizer->SetResolution(9);
+  voxelizer->Update();
+  TestCopies(check, voxelizer->GetOutput());
+
+  vtkNew<vtkVoxelLineModel> model;
+  check(model->GetNumberOfOccupiedVoxels() == 0 && model->GetNumberOfBytes() == 0 &&
+      model->GetDataObjectType() == VTK_DATA_OBJECT,
+    "a new model is empty");
+  return check.GetResult();
+}
