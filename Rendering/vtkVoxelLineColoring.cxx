@@ -165,7 +165,14 @@ vtkVoxelLineColoring::Source vtkVoxelLineColoring::Select(vtkMapper* mapper, vtk
     (mode == VTK_COLOR_MODE_DEFAULT && array->GetDataType() == VTK_UNSIGNED_CHAR) ||
     (components > 1 && mapper->GetArrayComponent() < 0 &&
       table->GetVectorMode() == vtkScalarsToColors::RGBCOLORS);
-  source.Component = source.Direct ? 0 : GetComponent(mapper, table, components);
+  if (!source.Direct)
+  {
+    source.Component = GetComponent(mapper, table, components);
+    if (source.Component < 0)
+    {
+      GetVectorPart(table, components, source.FirstComponent, source.NumberOfComponents);
+    }
+  }
   return source;
 }
 
@@ -176,17 +183,13 @@ vtkSmartPointer<vtkDataArray> vtkVoxelLineColoring::Convert(vtkMapper* mapper, c
   {
     return nullptr;
   }
-  vtkScalarsToColors* table = GetLookupTable(mapper, source.Array);
   if (source.Direct)
   {
+    vtkScalarsToColors* table = GetLookupTable(mapper, source.Array);
     return vtkSmartPointer<vtkDataArray>::Take(
       table->MapScalars(source.Array, mapper->GetColorMode(), mapper->GetArrayComponent()));
   }
-  const int components = source.Array->GetNumberOfComponents();
-  int first;
-  int size;
-  GetVectorPart(table, components, first, size);
-  if (source.Component >= 0 || size == components)
+  if (source.Component >= 0 || source.NumberOfComponents == source.Array->GetNumberOfComponents())
   {
     return source.Array;
   }
@@ -195,7 +198,7 @@ vtkSmartPointer<vtkDataArray> vtkVoxelLineColoring::Convert(vtkMapper* mapper, c
   for (vtkIdType i = 0; i < source.Array->GetNumberOfTuples(); ++i)
   {
     double sum = 0.0;
-    for (int k = first; k < first + size; ++k)
+    for (int k = source.FirstComponent; k < source.FirstComponent + source.NumberOfComponents; ++k)
     {
       const double value = source.Array->GetComponent(i, k);
       sum += value * value;

@@ -35,6 +35,9 @@ public:
     bool PerCell = false;
     /// Component to take; -1: the magnitude. Without meaning for direct colours.
     int Component = 0;
+    /// First component and number of components whose magnitude is taken.
+    int FirstComponent = 0;
+    int NumberOfComponents = 1;
     /// Whether the values are colours.
     bool Direct = false;
     /// Why there is no array, where one was asked for.
@@ -43,7 +46,8 @@ public:
     bool operator==(const Source& other) const
     {
       return this->Array == other.Array && this->PerCell == other.PerCell &&
-        this->Component == other.Component && this->Direct == other.Direct;
+        this->Component == other.Component && this->FirstComponent == other.FirstComponent &&
+        this->NumberOfComponents == other.NumberOfComponents && this->Direct == other.Direct;
     }
   };
 
