@@ -60,7 +60,6 @@ public:
   // What has been said, so that it is said once.
   std::string LastError;
   std::string LastColorWarning;
-  std::string LastInputWarning;
   std::set<std::pair<vtkMTimeType, char>> Warned;
 
   bool HasTranslucentColors()
@@ -293,10 +292,6 @@ void vtkVoxelLineMapper::BuildModel(vtkPolyData* lines)
     internals.Input = lines;
     internals.InputTime = lines->GetMTime();
     internals.Source = source;
-    this->WarnOnce(internals.LastInputWarning,
-      lines->GetNumberOfCells() > 0 && lines->GetNumberOfLines() == 0
-        ? "The input has cells, but no lines; nothing of it is drawn. Only line cells are."
-        : "");
   }
   internals.Voxelizer->SetResolution(this->Resolution);
   internals.Voxelizer->SetFaceBins(this->FaceBins);
