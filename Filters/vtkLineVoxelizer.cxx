@@ -85,8 +85,8 @@ void AddLine(std::string& text, const std::string& line)
 //------------------------------------------------------------------------------
 vtkLineVoxelizer::vtkLineVoxelizer()
 {
-  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS,
-    vtkDataSetAttributes::SCALARS);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::SCALARS);
 }
 
 //------------------------------------------------------------------------------
@@ -182,14 +182,14 @@ void vtkLineVoxelizer::ReadInput(
     input.AddLineSet(lines, i);
     otherCells += lines->GetNumberOfCells() - lines->GetNumberOfLines();
     int association = vtkDataObject::FIELD_ASSOCIATION_NONE;
-    vtkDataArray* array = this->GenerateAttributes
-      ? this->GetInputArrayToProcess(0, lines, association)
-      : nullptr;
+    vtkDataArray* array =
+      this->GenerateAttributes ? this->GetInputArrayToProcess(0, lines, association) : nullptr;
     isAnyArray = isAnyArray || array;
     if (array && association != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
       association != vtkDataObject::FIELD_ASSOCIATION_CELLS)
     {
-      AddLine(warning, "The attribute array must belong to the points or the cells; it is not used.");
+      AddLine(
+        warning, "The attribute array must belong to the points or the cells; it is not used.");
       array = nullptr;
     }
     request.Arrays.push_back(array);
@@ -210,8 +210,9 @@ void vtkLineVoxelizer::ReadInput(
   {
     if (otherCells > 0)
     {
-      AddLine(warning, "The input has no lines, only " + std::to_string(otherCells) +
-        " other cells; the model is empty.");
+      AddLine(warning,
+        "The input has no lines, only " + std::to_string(otherCells) +
+          " other cells; the model is empty.");
     }
     return;
   }
@@ -270,8 +271,7 @@ std::string vtkLineVoxelizer::MakeGrid(const vtkLineVoxelizerPrivate::Input& inp
     grid.BrickDimensions[axis] =
       (grid.Dimensions[axis] + vtkVoxelLineModel::BrickSize - 1) / vtkVoxelLineModel::BrickSize;
     // The data is in the middle of the grid, so that a plane does not lie on the faces of voxels.
-    grid.Origin[axis] =
-      bounds[2 * axis] + 0.5 * (side - grid.Dimensions[axis] * grid.VoxelSize);
+    grid.Origin[axis] = bounds[2 * axis] + 0.5 * (side - grid.Dimensions[axis] * grid.VoxelSize);
   }
   return std::string();
 }
@@ -290,12 +290,13 @@ std::string vtkLineVoxelizer::BuildModel(const vtkLineVoxelizerPrivate::Input& i
     const std::size_t first = round * numberOfBlocks / NumberOfRounds;
     const std::size_t last = (round + 1) * numberOfBlocks / NumberOfRounds;
     vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last), 1,
-      [&](vtkIdType begin, vtkIdType end) {
+      [&](vtkIdType begin, vtkIdType end)
+      {
         std::shared_ptr<Tracer>& local = tracers.Local();
         if (!local)
         {
-          local = std::make_shared<Tracer>(
-            grid, this->FaceBins, this->InteriorTolerance, input.Values);
+          local =
+            std::make_shared<Tracer>(grid, this->FaceBins, this->InteriorTolerance, input.Values);
         }
         Tracer& tracer = *local;
         for (std::size_t block = static_cast<std::size_t>(begin);
@@ -453,8 +454,9 @@ void vtkLineVoxelizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateAttributes: " << (this->GenerateAttributes ? "On" : "Off") << "\n";
   os << indent << "AttributeComponent: " << this->AttributeComponent << "\n";
   os << indent << "DirectColors: " << (this->DirectColors ? "On" : "Off") << "\n";
-  os << indent << "RadiusArrayName: "
-     << (this->RadiusArrayName.empty() ? "(none)" : this->RadiusArrayName) << "\n";
+  os << indent
+     << "RadiusArrayName: " << (this->RadiusArrayName.empty() ? "(none)" : this->RadiusArrayName)
+     << "\n";
   os << indent << "UseCustomBounds: " << (this->UseCustomBounds ? "On" : "Off") << "\n";
   os << indent << "CustomBounds:";
   for (double bound : this->CustomBounds)

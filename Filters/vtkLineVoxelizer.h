@@ -6,11 +6,11 @@
  *
  * Every line cell of every input (polylines and lines of two points) is a curve. Its polygon is cut
  * at the faces of a grid of cubic voxels over the bounds of all curves; within a voxel it becomes a
- * straight segment, whose end points are quantized to bins on the faces. See Kanzler, Rautenhaus and
- * Westermann, "A Voxel-based Rendering Pipeline for Large 3D Line Sets", 2019, Secs. 3.1 to 3.3, and
- * vtkVoxelLineModel for the result. Beyond the paper, the ends of the curves are kept, points are
- * kept inside voxels where a curve bends there, any number of segments may share a voxel, and
- * empty regions take no memory.
+ * straight segment, whose end points are quantized to bins on the faces. See Kanzler, Rautenhaus
+ * and Westermann, "A Voxel-based Rendering Pipeline for Large 3D Line Sets", 2019, Secs. 3.1
+ * to 3.3, and vtkVoxelLineModel for the result. Beyond the paper, the ends of the curves are kept,
+ * points are kept inside voxels where a curve bends there, any number of segments may share a
+ * voxel, and empty regions take no memory.
  *
  * Input port 0 takes any number of vtkPolyData; their lines share one grid, and vtkVoxelLineModel
  * tells which input and cell each curve comes from. Other cells are ignored. 32- and 64-bit
@@ -28,8 +28,8 @@
  * An empty input gives an empty model without a warning.
  *
  * <b>Errors.</b> Where a property is outside its range, or the extent of the data exceeds 1e300, or
- * the model would have more than 2^32 - 1 segments or more than memory holds, the error is told,
- * GetErrorCode() is not 0, and the model is empty.
+ * the model would have more than 2^31 segments or more than memory holds, the error is told,
+ * GetErrorCode() is not 0, and the model is empty. It is told once, until something changes.
  *
  * The work is shared by threads with vtkSMPTools. The model does not depend on their number.
  *
@@ -136,8 +136,8 @@ public:
 
   ///@{
   /**
-   * Bounds of the grid in world units (smallest x, largest x, ...), used when UseCustomBounds is on,
-   * so that several models can share a grid. Where they do not contain all curves, the grid is
+   * Bounds of the grid in world units (smallest x, largest x, ...), used when UseCustomBounds is
+   * on, so that several models can share a grid. Where they do not contain all curves, the grid is
    * enlarged until it does, and a warning tells so. Default off, and 0 1 0 1 0 1.
    */
   vtkSetMacro(UseCustomBounds, bool);
@@ -171,8 +171,8 @@ protected:
 private:
   /// What is wrong with the properties, or an empty string.
   std::string FindPropertyError() const;
-  void ReadInput(vtkInformationVector* inputs, vtkLineVoxelizerPrivate::Input& input,
-    std::string& warning);
+  void ReadInput(
+    vtkInformationVector* inputs, vtkLineVoxelizerPrivate::Input& input, std::string& warning);
   std::string MakeGrid(const vtkLineVoxelizerPrivate::Input& input,
     vtkLineVoxelizerPrivate::Grid& grid, std::string& warning) const;
   /// Returns what went wrong, or an empty string.

@@ -53,77 +53,72 @@ struct Findings
   }
 };
 
+/// Read a point of a line. Returns why it cannot be used, or -1.
+int ReadPoint(const LineSet& set, vtkIdType id, double point[3], Findings& found)
+{
+  if (id < 0 || id >= set.Points.GetNumberOfPoints())
+  {
+    ++found.InvalidIds;
+    return vtkVoxelLineModel::InvalidPointIds;
+  }
+  set.Points.Get(id, point);
+  if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+  {
+    ++found.NonFinitePoints;
+    return vtkVoxelLineModel::NonFinitePoints;
+  }
+  return -1;
+}
+
 /// Part one line into stretches of points that exist and are finite.
-void FindCurvesOfLine(const LineSet& set, int input, vtkIdType line, vtkIdList* ids, Findings& found)
+void FindCurvesOfLine(
+  const LineSet& set, int input, vtkIdType line, vtkIdList* ids, Findings& found)
 {
   set.Lines->GetCellAtId(line, ids);
   const vtkIdType size = ids->GetNumberOfIds();
-  const vtkIdType* id = ids->GetPointer(0);
-  const vtkIdType numberOfPoints = set.Points.GetNumberOfPoints();
-  // A stretch that is too short is put down to what ended or began it.
+  // A stretch that is too short is put down to the last point that could not be used.
   int reason = vtkVoxelLineModel::TooFewPoints;
-  bool isCounted = false;
+  bool isAnyStretch = false;
   vtkIdType first = 0;
   double previous[3] = { 0.0, 0.0, 0.0 };
   for (vtkIdType i = 0; i <= size; ++i)
   {
-    bool isGood = false;
     double point[3] = { 0.0, 0.0, 0.0 };
-    int badReason = reason;
-    if (i < size)
-    {
-      if (id[i] < 0 || id[i] >= numberOfPoints)
-      {
-        ++found.InvalidIds;
-        badReason = vtkVoxelLineModel::InvalidPointIds;
-      }
-      else
-      {
-        set.Points.Get(id[i], point);
-        isGood = std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
-        if (!isGood)
-        {
-          ++found.NonFinitePoints;
-          badReason = vtkVoxelLineModel::NonFinitePoints;
-        }
-      }
-    }
-    if (isGood)
+    const int fault = i < size ? ReadPoint(set, ids->GetId(i), point, found) : reason;
+    if (fault < 0)
     {
       // The first point of a stretch counts only once it is known to have a second one.
+      if (i == first + 1)
+      {
+        found.AddPoint(previous);
+      }
       if (i > first)
       {
-        if (i == first + 1)
-        {
-          found.AddPoint(previous);
-        }
         found.AddPoint(point);
       }
       std::copy_n(point, 3, previous);
       continue;
     }
-    reason = badReason;
+    reason = fault;
+    isAnyStretch = isAnyStretch || i > first;
     if (i - first >= 2)
     {
       found.Curves.push_back({ input, line, first, i - first });
-      isCounted = true;
     }
     else if (i - first == 1)
     {
       ++found.Dropped[reason];
-      isCounted = true;
     }
     first = i + 1;
   }
-  if (!isCounted)
+  if (!isAnyStretch)
   {
     ++found.Dropped[reason];
   }
 }
 
 /// Doubles of one component, or of the magnitude (-1), of the tuples [first, last).
-void ReadTuples(
-  vtkDataArray* array, int component, vtkIdType first, vtkIdType last, double* values)
+void ReadTuples(vtkDataArray* array, int component, vtkIdType first, vtkIdType last, double* values)
 {
   const int size = array->GetNumberOfComponents();
   if (component >= 0 || size == 1)
@@ -151,8 +146,9 @@ void ReadTuples(
 std::vector<double> ReadArray(vtkDataArray* array, int component)
 {
   std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  vtkSMPTools::For(
-    0, array->GetNumberOfTuples(), 16384, [&](vtkIdType first, vtkIdType last) {
+  vtkSMPTools::For(0, array->GetNumberOfTuples(), 16384,
+    [&](vtkIdType first, vtkIdType last)
+    {
       ReadTuples(array, component, first, last, values.data() + first);
       for (vtkIdType i = first; i < last; ++i)
       {
@@ -163,15 +159,18 @@ std::vector<double> ReadArray(vtkDataArray* array, int component)
   return values;
 }
 
-/// Where a value lies in a range, as a fraction that does not overflow; 0 where the range is a point.
+/// Where a value lies in a range, as a fraction that does not overflow; 0 where the range is a
+/// point.
 float FractionOf(double value, double low, double high)
 {
   const double span = 0.5 * high - 0.5 * low;
   const double fraction = span > 0.0 ? (0.5 * value - 0.5 * low) / span : 0.0 * value;
-  return static_cast<float>(std::isnan(fraction) ? fraction : std::min(std::max(fraction, 0.0), 1.0));
+  return static_cast<float>(
+    std::isnan(fraction) ? fraction : std::min(std::max(fraction, 0.0), 1.0));
 }
 
-/// Red, green, blue and opacity of a colour tuple of 1 to 4 components, as vtkScalarsToColors reads it.
+/// Red, green, blue and opacity of a colour tuple of 1 to 4 components, as vtkScalarsToColors reads
+/// it.
 void GetColor(vtkUnsignedCharArray* colors, vtkIdType i, float rgba[4])
 {
   const int size = colors->GetNumberOfComponents();
@@ -229,7 +228,8 @@ void Input::AddLineSet(vtkPolyData* lines, int connection)
   set.Lines = lines->GetLines();
   set.FirstCell = lines->GetNumberOfVerts();
   set.NumberOfCells = lines->GetNumberOfCells();
-  this->NumberOfLines += lines->GetNumberOfLines();
+  set.NumberOfLines = lines->GetNumberOfLines();
+  this->NumberOfLines += set.NumberOfLines;
   this->LineSets.push_back(std::move(set));
 }
 
@@ -241,20 +241,21 @@ void Input::FindCurves()
   for (std::size_t input = 0; input < this->LineSets.size(); ++input)
   {
     const LineSet& set = this->LineSets[input];
-    const vtkIdType numberOfLines = set.Lines ? set.Lines->GetNumberOfCells() : 0;
-    const vtkIdType numberOfBlocks = (numberOfLines + LinesPerBlock - 1) / LinesPerBlock;
+    const vtkIdType numberOfBlocks = (set.NumberOfLines + LinesPerBlock - 1) / LinesPerBlock;
     std::vector<Findings> blocks(static_cast<std::size_t>(numberOfBlocks));
-    vtkSMPTools::For(0, numberOfBlocks, 1, [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType block = begin; block < end; ++block)
+    vtkSMPTools::For(0, numberOfBlocks, 1,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const vtkIdType last = std::min((block + 1) * LinesPerBlock, numberOfLines);
-        for (vtkIdType line = block * LinesPerBlock; line < last; ++line)
+        for (vtkIdType block = begin; block < end; ++block)
         {
-          FindCurvesOfLine(set, static_cast<int>(input), line, localIds.Local(),
-            blocks[static_cast<std::size_t>(block)]);
+          const vtkIdType last = std::min((block + 1) * LinesPerBlock, set.NumberOfLines);
+          for (vtkIdType line = block * LinesPerBlock; line < last; ++line)
+          {
+            FindCurvesOfLine(set, static_cast<int>(input), line, localIds.Local(),
+              blocks[static_cast<std::size_t>(block)]);
+          }
         }
-      }
-    });
+      });
     for (const Findings& found : blocks)
     {
       this->Curves.insert(this->Curves.end(), found.Curves.begin(), found.Curves.end());
@@ -292,7 +293,8 @@ std::string Input::DescribeDropped() const
 {
   const vtkIdType* dropped = this->NumberOfDroppedCurves;
   std::string text;
-  const auto add = [&text](vtkIdType number, const char* what) {
+  const auto add = [&text](vtkIdType number, const char* what)
+  {
     if (number > 0)
     {
       text += (text.empty() ? "Left out: " : ", ") + std::to_string(number) + " " + what;
@@ -305,8 +307,56 @@ std::string Input::DescribeDropped() const
     "lines or pieces of them with fewer than two finite points in a row");
   add(dropped[vtkVoxelLineModel::InvalidPointIds],
     "lines or pieces of them with fewer than two valid point ids in a row");
-  return text.empty() ? text
-                      : text + ". A line needs at least two points in a row that exist and are finite.";
+  return text.empty()
+    ? text
+    : text + ". A line needs at least two points in a row that exist and are finite.";
+}
+
+//------------------------------------------------------------------------------
+bool Input::ChooseArray(
+  std::size_t i, const ValueRequest& request, std::vector<std::string>& messages)
+{
+  LineSet& set = this->LineSets[i];
+  vtkDataArray* array = request.Arrays[i];
+  if (set.NumberOfLines == 0 || !array)
+  {
+    return set.NumberOfLines == 0;
+  }
+  const std::string name =
+    std::string("Array ") + (array->GetName() ? array->GetName() : "(unnamed)");
+  const vtkIdType size = array->GetNumberOfTuples();
+  set.ValuesPerCell = request.PerCell[i];
+  const vtkIdType expected = set.ValuesPerCell ? set.NumberOfCells : set.Points.GetNumberOfPoints();
+  if (size != expected)
+  {
+    messages.push_back(name + " has " + std::to_string(size) + " tuples where there are " +
+      std::to_string(expected) + (set.ValuesPerCell ? " cells" : " points") + "; it is not used.");
+    return false;
+  }
+  const int components = array->GetNumberOfComponents();
+  vtkUnsignedCharArray* colors =
+    request.DirectColors && components <= 4 ? vtkUnsignedCharArray::SafeDownCast(array) : nullptr;
+  const int kind = colors ? vtkVoxelLineModel::Color : vtkVoxelLineModel::Scalar;
+  if (this->AttributeKind != kind && this->AttributeKind != vtkVoxelLineModel::NoAttribute)
+  {
+    messages.push_back(name + " of input " + std::to_string(set.Connection) +
+      (colors ? " holds colours, those before it scalars; it is not used."
+              : " holds scalars, those before it colours; it is not used."));
+    return false;
+  }
+  this->AttributeKind = kind;
+  set.Colors = colors;
+  if (!colors)
+  {
+    set.Scalars.resize(static_cast<std::size_t>(expected));
+    if (request.Component >= components)
+    {
+      messages.push_back(name + " has " + std::to_string(components) +
+        " components, and AttributeComponent is " + std::to_string(request.Component) +
+        "; the last one is used.");
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -315,68 +365,24 @@ void Input::ReadValues(const ValueRequest& request, std::vector<std::string>& me
   int missing = 0;
   for (std::size_t i = 0; i < this->LineSets.size(); ++i)
   {
-    LineSet& set = this->LineSets[i];
-    vtkDataArray* array = request.Arrays[i];
-    if (!array)
-    {
-      ++missing;
-      continue;
-    }
-    set.ValuesPerCell = request.PerCell[i];
-    const vtkIdType expected =
-      set.ValuesPerCell ? set.NumberOfCells : set.Points.GetNumberOfPoints();
-    const std::string name = array->GetName() ? array->GetName() : "(unnamed)";
-    if (array->GetNumberOfTuples() != expected)
-    {
-      messages.push_back("Array " + name + " has " + std::to_string(array->GetNumberOfTuples()) +
-        " tuples where there are " + std::to_string(expected) +
-        (set.ValuesPerCell ? " cells" : " points") + "; it is not used.");
-      ++missing;
-      continue;
-    }
-    vtkUnsignedCharArray* colors = vtkUnsignedCharArray::SafeDownCast(array);
-    const bool isColor = request.DirectColors && colors && colors->GetNumberOfComponents() <= 4;
-    const int kind = isColor ? vtkVoxelLineModel::Color : vtkVoxelLineModel::Scalar;
-    if (this->AttributeKind == vtkVoxelLineModel::NoAttribute)
-    {
-      this->AttributeKind = kind;
-    }
-    if (this->AttributeKind != kind)
-    {
-      messages.push_back("Array " + name + " of input " + std::to_string(i) +
-        (isColor ? " holds colours, the ones before it scalars"
-                 : " holds scalars, the ones before it colours") +
-        "; it is not used.");
-      ++missing;
-      continue;
-    }
-    if (isColor)
-    {
-      set.Colors = colors;
-      continue;
-    }
-    if (request.Component >= array->GetNumberOfComponents())
-    {
-      messages.push_back("Array " + name + " has " +
-        std::to_string(array->GetNumberOfComponents()) + " components, and AttributeComponent is " +
-        std::to_string(request.Component) + "; the last one is used.");
-    }
-    set.Scalars.resize(static_cast<std::size_t>(expected));
+    missing += this->ChooseArray(i, request, messages) ? 0 : 1;
   }
-  if (missing > 0 && this->AttributeKind != vtkVoxelLineModel::NoAttribute)
+  if (this->AttributeKind != vtkVoxelLineModel::NoAttribute)
   {
-    messages.push_back(std::to_string(missing) + " of " + std::to_string(this->LineSets.size()) +
-      " inputs have no values to colour by; their lines are " +
-      (this->AttributeKind == vtkVoxelLineModel::Color ? "white." : "coloured as NaN."));
+    const bool isColor = this->AttributeKind == vtkVoxelLineModel::Color;
+    this->Values.AttributeSize = isColor ? 4 : 1;
+    if (missing > 0)
+    {
+      messages.push_back(std::to_string(missing) + " of " + std::to_string(this->LineSets.size()) +
+        " inputs have no values to colour by; their lines are " +
+        (isColor ? "white." : "coloured as NaN."));
+    }
+    if (!isColor)
+    {
+      this->HasNaN = missing > 0;
+      this->ReadScalars(request);
+    }
   }
-  if (this->AttributeKind == vtkVoxelLineModel::Scalar)
-  {
-    this->HasNaN = missing > 0;
-    this->ReadScalars(request);
-  }
-  this->Values.AttributeSize = this->AttributeKind == vtkVoxelLineModel::NoAttribute
-    ? 0
-    : (this->AttributeKind == vtkVoxelLineModel::Scalar ? 1 : 4);
   this->Values.LargestByte = this->HasNaN ? 254 : 255;
   this->ReadRadii(request, messages);
 }
@@ -413,9 +419,11 @@ void Input::ReadScalars(const ValueRequest& request)
   for (std::size_t i = 0; i < this->LineSets.size(); ++i)
   {
     std::vector<float>& scalars = this->LineSets[i].Scalars;
-    vtkSMPTools::For(
-      0, static_cast<vtkIdType>(scalars.size()), 16384, [&](vtkIdType first, vtkIdType end) {
-        for (std::size_t j = static_cast<std::size_t>(first); j < static_cast<std::size_t>(end); ++j)
+    vtkSMPTools::For(0, static_cast<vtkIdType>(scalars.size()), 16384,
+      [&](vtkIdType first, vtkIdType end)
+      {
+        for (std::size_t j = static_cast<std::size_t>(first); j < static_cast<std::size_t>(end);
+             ++j)
         {
           scalars[j] = FractionOf(values[i][j], low, high);
         }
@@ -433,6 +441,10 @@ void Input::ReadRadii(const ValueRequest& request, std::vector<std::string>& mes
   std::vector<std::vector<double>> values(this->LineSets.size());
   for (std::size_t i = 0; i < this->LineSets.size(); ++i)
   {
+    if (this->LineSets[i].NumberOfLines == 0)
+    {
+      continue;
+    }
     const vtkIdType expected = this->LineSets[i].Points.GetNumberOfPoints();
     vtkDataArray* array = request.Radii[i];
     const vtkIdType size = array ? array->GetNumberOfTuples() : 0;

@@ -26,8 +26,8 @@ class vtkUnsignedCharArray;
 namespace vtkLineVoxelizerPrivate
 {
 
-/// Reads points of any array without virtual calls where they are floats or doubles in a row. It may
-/// be used by several threads.
+/// Reads points of any array without virtual calls where they are floats or doubles in a row. It
+/// may be used by several threads.
 class PointReader
 {
 public:
@@ -48,6 +48,7 @@ struct LineSet
   int Connection = 0;
   PointReader Points;
   vtkCellArray* Lines = nullptr;
+  vtkIdType NumberOfLines = 0;
   /// Cell id of the first line: vertices stand before the lines in vtkPolyData.
   vtkIdType FirstCell = 0;
   vtkIdType NumberOfCells = 0;
@@ -126,6 +127,8 @@ public:
   double MaximumRadius = 0.0;
 
 private:
+  /// Whether the lines of an input have values; why not, if there is an array that cannot be used.
+  bool ChooseArray(std::size_t i, const ValueRequest& request, std::vector<std::string>& messages);
   void ReadScalars(const ValueRequest& request);
   void ReadRadii(const ValueRequest& request, std::vector<std::string>& messages);
 };

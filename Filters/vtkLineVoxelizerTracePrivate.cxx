@@ -38,10 +38,9 @@ double SquaredDistance(const double point[3], const double a[3], const double b[
   {
     return SquaredDistance(point, a);
   }
-  const double t = Clamp(((point[0] - a[0]) * d[0] + (point[1] - a[1]) * d[1] +
-                           (point[2] - a[2]) * d[2]) /
-      length2,
-    0.0, 1.0);
+  const double t = Clamp(
+    ((point[0] - a[0]) * d[0] + (point[1] - a[1]) * d[1] + (point[2] - a[2]) * d[2]) / length2, 0.0,
+    1.0);
   const double nearest[3] = { a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2] };
   return SquaredDistance(point, nearest);
 }
@@ -60,8 +59,8 @@ Sample MakeCrossing(
   Sample crossing;
   for (int i = 0; i < 3; ++i)
   {
-    crossing.Point[i] = Clamp(
-      from.Point[i] + t * (to.Point[i] - from.Point[i]), voxel[i], static_cast<double>(voxel[i]) + 1);
+    crossing.Point[i] = Clamp(from.Point[i] + t * (to.Point[i] - from.Point[i]), voxel[i],
+      static_cast<double>(voxel[i]) + 1);
   }
   crossing.Point[axis] = plane;
   for (int i = 0; i < 4; ++i)
@@ -214,7 +213,8 @@ void CurveTracer::Walk(const Sample& from, const Sample& to)
     return;
   }
 
-  const auto parameterOf = [&](int axis) {
+  const auto parameterOf = [&](int axis)
+  {
     if (remaining[axis] == 0)
     {
       return 2.0; // Behind the end of the edge: never chosen.
@@ -233,8 +233,8 @@ void CurveTracer::Walk(const Sample& from, const Sample& to)
     int axis = parameter[1] < parameter[0] ? 1 : 0;
     axis = parameter[2] < parameter[axis] ? 2 : axis;
     const int side = step[axis] > 0 ? 1 : 0;
-    const Sample crossing = MakeCrossing(
-      from, to, parameter[axis], this->Voxel, axis, this->Voxel[axis] + side);
+    const Sample crossing =
+      MakeCrossing(from, to, parameter[axis], this->Voxel, axis, this->Voxel[axis] + side);
     const CodedPoint code = this->CodeFace(crossing.Point, axis, side);
     this->EndPiece(crossing, code);
     this->Voxel[axis] += step[axis];
@@ -271,8 +271,7 @@ void CurveTracer::EndPiece(const Sample& exit, const CodedPoint& code)
       continue;
     }
     this->Ends.pop_back();
-    const CodedPoint end =
-      this->Ends.empty() ? code : this->CodeInterior(this->Piece[last].Point);
+    const CodedPoint end = this->Ends.empty() ? code : this->CodeInterior(this->Piece[last].Point);
     this->AddSegment(first, last, start, end);
     first = last;
     start = end;
@@ -286,8 +285,8 @@ std::size_t CurveTracer::FindFarthest(std::size_t first, std::size_t last, doubl
   distance2 = 0.0;
   for (std::size_t i = first + 1; i < last; ++i)
   {
-    const double candidate = SquaredDistance(
-      this->Piece[i].Point, this->Piece[first].Point, this->Piece[last].Point);
+    const double candidate =
+      SquaredDistance(this->Piece[i].Point, this->Piece[first].Point, this->Piece[last].Point);
     if (candidate > distance2)
     {
       distance2 = candidate;

@@ -10,9 +10,9 @@
  * and the crossing point is clamped to the face. The point is quantized once and used on both sides
  * of the face, so that the end of a segment is the start of the next one.
  *
- * The vertices that a curve has inside a voxel make a piece with its entry and exit. Where the piece
- * deviates too far from the chord, its farthest vertex is kept as a point inside the voxel, and both
- * halves are judged again (Douglas and Peucker 1973).
+ * The vertices that a curve has inside a voxel make a piece with its entry and exit. Where the
+ * piece deviates too far from the chord, its farthest vertex is kept as a point inside the voxel,
+ * and both halves are judged again (Douglas and Peucker 1973).
  */
 
 #ifndef vtkLineVoxelizerTracePrivate_h

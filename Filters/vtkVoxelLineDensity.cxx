@@ -127,16 +127,20 @@ int vtkVoxelLineDensity::RequestData(vtkInformation* vtkNotUsed(request),
   const int* dimensions = model->GetDimensions();
   float* values = density->GetPointer(0);
   // Each voxel belongs to one brick, and its sum has one order: threads change nothing.
-  vtkSMPTools::For(0, reader.GetNumberOfBricks(), 64, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType brick = begin; brick < end; ++brick)
+  vtkSMPTools::For(0, reader.GetNumberOfBricks(), 64,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      reader.VisitVoxels(brick, [&](const int voxel[3], vtkIdType first, vtkIdType last) {
-        const vtkIdType index = voxel[0] +
-          dimensions[0] * (voxel[1] + static_cast<vtkIdType>(dimensions[1]) * voxel[2]);
-        values[index] = static_cast<float>(this->Opacity * SumLengths(reader, first, last));
-      });
-    }
-  });
+      for (vtkIdType brick = begin; brick < end; ++brick)
+      {
+        reader.VisitVoxels(brick,
+          [&](const int voxel[3], vtkIdType first, vtkIdType last)
+          {
+            const vtkIdType index = voxel[0] +
+              dimensions[0] * (voxel[1] + static_cast<vtkIdType>(dimensions[1]) * voxel[2]);
+            values[index] = static_cast<float>(this->Opacity * SumLengths(reader, first, last));
+          });
+      }
+    });
   return 1;
 }
 

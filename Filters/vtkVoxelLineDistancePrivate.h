@@ -74,30 +74,36 @@ inline void Transform(std::vector<std::uint8_t>& cells, const int dimensions[3],
   const std::ptrdiff_t slice = width * dimensions[1];
   std::vector<std::uint8_t> other(cells.size());
   const vtkIdType rows = static_cast<vtkIdType>(dimensions[1]) * dimensions[2];
-  vtkSMPTools::For(0, rows, 64, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType row = begin; row < end; ++row)
+  vtkSMPTools::For(0, rows, 64,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      SweepRow(cells.data() + row * width, dimensions[0], largest);
-    }
-  });
-  vtkSMPTools::For(0, rows, 64, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType row = begin; row < end; ++row)
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        SweepRow(cells.data() + row * width, dimensions[0], largest);
+      }
+    });
+  vtkSMPTools::For(0, rows, 64,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const std::ptrdiff_t y = row % dimensions[1];
-      const std::ptrdiff_t z = row / dimensions[1];
-      MinimizeRow(cells.data() + z * slice, other.data() + row * width, width,
-        static_cast<int>(y), dimensions[1], dimensions[0]);
-    }
-  });
-  vtkSMPTools::For(0, rows, 64, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType row = begin; row < end; ++row)
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        const std::ptrdiff_t y = row % dimensions[1];
+        const std::ptrdiff_t z = row / dimensions[1];
+        MinimizeRow(cells.data() + z * slice, other.data() + row * width, width,
+          static_cast<int>(y), dimensions[1], dimensions[0]);
+      }
+    });
+  vtkSMPTools::For(0, rows, 64,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const std::ptrdiff_t y = row % dimensions[1];
-      const std::ptrdiff_t z = row / dimensions[1];
-      MinimizeRow(other.data() + y * width, cells.data() + row * width, slice,
-        static_cast<int>(z), dimensions[2], dimensions[0]);
-    }
-  });
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        const std::ptrdiff_t y = row % dimensions[1];
+        const std::ptrdiff_t z = row / dimensions[1];
+        MinimizeRow(other.data() + y * width, cells.data() + row * width, slice,
+          static_cast<int>(z), dimensions[2], dimensions[0]);
+      }
+    });
 }
 
 }

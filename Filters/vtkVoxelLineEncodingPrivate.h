@@ -81,7 +81,10 @@ struct Codec
   }
 
   /// The code of the same point in the voxel on the other side of its face.
-  std::uint32_t Opposite(std::uint32_t faceCode) const { return faceCode ^ (1u << (2 * this->Bits)); }
+  std::uint32_t Opposite(std::uint32_t faceCode) const
+  {
+    return faceCode ^ (1u << (2 * this->Bits));
+  }
 
   /// Code of a point inside the voxel, from its voxel-local coordinates.
   std::uint32_t InteriorCode(const double point[3]) const

@@ -62,20 +62,24 @@ CurveTable SortByCurve(vtkVoxelLineModel* model, const vtkVoxelLineSegments::Rea
   const std::size_t size = static_cast<std::size_t>(model->GetNumberOfSegments());
   std::vector<std::uint32_t> curves(size);
   std::vector<PlacedSegment> placed(size);
-  vtkSMPTools::For(0, reader.GetNumberOfBricks(), 64, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType brick = begin; brick < end; ++brick)
+  vtkSMPTools::For(0, reader.GetNumberOfBricks(), 64,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      reader.VisitVoxels(brick, [&](const int voxel[3], vtkIdType first, vtkIdType last) {
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          curves[static_cast<std::size_t>(i)] = reader.GetCurve(brick, i);
-          placed[static_cast<std::size_t>(i)] = { i,
-            { static_cast<std::int16_t>(voxel[0]), static_cast<std::int16_t>(voxel[1]),
-              static_cast<std::int16_t>(voxel[2]) } };
-        }
-      });
-    }
-  });
+      for (vtkIdType brick = begin; brick < end; ++brick)
+      {
+        reader.VisitVoxels(brick,
+          [&](const int voxel[3], vtkIdType first, vtkIdType last)
+          {
+            for (vtkIdType i = first; i < last; ++i)
+            {
+              curves[static_cast<std::size_t>(i)] = reader.GetCurve(brick, i);
+              placed[static_cast<std::size_t>(i)] = { i,
+                { static_cast<std::int16_t>(voxel[0]), static_cast<std::int16_t>(voxel[1]),
+                  static_cast<std::int16_t>(voxel[2]) } };
+            }
+          });
+      }
+    });
 
   CurveTable table;
   table.Starts.assign(static_cast<std::size_t>(model->GetNumberOfCurves()) + 1, 0);
@@ -141,7 +145,8 @@ private:
     distinct = this->Points;
     std::sort(distinct.begin(), distinct.end());
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-    const auto nodeOf = [&distinct](const Point& point) {
+    const auto nodeOf = [&distinct](const Point& point)
+    {
       return static_cast<std::size_t>(
         std::lower_bound(distinct.begin(), distinct.end(), point) - distinct.begin());
     };
@@ -291,7 +296,8 @@ public:
     for (int axis = 0; axis < 3; ++axis)
     {
       this->Points[3 * point + axis] = this->Model->GetOrigin()[axis] +
-        this->Model->GetVoxelSize() * (segment.Voxel[static_cast<std::size_t>(axis)] + ends[end][axis]);
+        this->Model->GetVoxelSize() *
+          (segment.Voxel[static_cast<std::size_t>(axis)] + ends[end][axis]);
     }
     const vtkIdType row = 2 * segment.Index + end;
     if (this->Colors)
@@ -371,30 +377,32 @@ vtkSmartPointer<vtkIdTypeArray> WriteCells(
 }
 
 /// The stretches of all curves, in the order of the curves.
-std::vector<Stretch> JoinCurves(
-  const vtkVoxelLineSegments::Reader& reader, const CurveTable& table)
+std::vector<Stretch> JoinCurves(const vtkVoxelLineSegments::Reader& reader, const CurveTable& table)
 {
   const vtkIdType numberOfCurves = static_cast<vtkIdType>(table.Starts.size()) - 1;
   const vtkIdType numberOfBlocks = (numberOfCurves + CurvesPerBlock - 1) / CurvesPerBlock;
   std::vector<std::vector<Stretch>> blocks(static_cast<std::size_t>(numberOfBlocks));
-  vtkSMPTools::For(0, numberOfBlocks, 1, [&](vtkIdType begin, vtkIdType end) {
-    Joiner joiner(reader);
-    for (vtkIdType block = begin; block < end; ++block)
+  vtkSMPTools::For(0, numberOfBlocks, 1,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const vtkIdType last = std::min((block + 1) * CurvesPerBlock, numberOfCurves);
-      for (vtkIdType curve = block * CurvesPerBlock; curve < last; ++curve)
+      Joiner joiner(reader);
+      for (vtkIdType block = begin; block < end; ++block)
       {
-        const std::size_t first = static_cast<std::size_t>(table.Starts[static_cast<std::size_t>(curve)]);
-        const std::size_t size =
-          static_cast<std::size_t>(table.Starts[static_cast<std::size_t>(curve) + 1]) - first;
-        if (size > 0)
+        const vtkIdType last = std::min((block + 1) * CurvesPerBlock, numberOfCurves);
+        for (vtkIdType curve = block * CurvesPerBlock; curve < last; ++curve)
         {
-          joiner.Join(curve, table.Segments.data() + first, size,
-            blocks[static_cast<std::size_t>(block)]);
+          const std::size_t first =
+            static_cast<std::size_t>(table.Starts[static_cast<std::size_t>(curve)]);
+          const std::size_t size =
+            static_cast<std::size_t>(table.Starts[static_cast<std::size_t>(curve) + 1]) - first;
+          if (size > 0)
+          {
+            joiner.Join(
+              curve, table.Segments.data() + first, size, blocks[static_cast<std::size_t>(block)]);
+          }
         }
       }
-    }
-  });
+    });
   std::vector<Stretch> stretches;
   for (std::vector<Stretch>& block : blocks)
   {
@@ -468,14 +476,15 @@ int vtkVoxelLineGeometry::RequestData(vtkInformation* vtkNotUsed(request),
   }
 
   const vtkSmartPointer<vtkIdTypeArray> offsets = WriteCells(model, stretches, output);
-  const PointWriter writer(
-    model, reader, output->GetLines()->GetNumberOfConnectivityIds(), output);
+  const PointWriter writer(model, reader, output->GetLines()->GetNumberOfConnectivityIds(), output);
   vtkSMPTools::For(0, static_cast<vtkIdType>(stretches.size()), CurvesPerBlock,
-    [&](vtkIdType begin, vtkIdType end) {
+    [&](vtkIdType begin, vtkIdType end)
+    {
       for (vtkIdType i = begin; i < end; ++i)
       {
         vtkIdType point = offsets->GetValue(i);
-        const std::vector<PlacedSegment>& segments = stretches[static_cast<std::size_t>(i)].Segments;
+        const std::vector<PlacedSegment>& segments =
+          stretches[static_cast<std::size_t>(i)].Segments;
         for (const PlacedSegment& segment : segments)
         {
           writer.Write(point++, segment, 0);

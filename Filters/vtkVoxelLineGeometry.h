@@ -16,9 +16,9 @@
  *
  * The model does not store the order of segments along a curve beyond a voxel. With Join on, the
  * segments of a curve are put in a row by their end points, which match exactly: since they
- * are a connected walk, one trail uses each of them once (Hierholzer's method). Where a curve passes
- * the same point several times, the trail may take the loops in between in another order than the
- * curve did, at the same places.
+ * are a connected walk, one trail uses each of them once (Hierholzer's method). Where a curve
+ * passes the same point several times, the trail may take the loops in between in another order
+ * than the curve did, at the same places.
  *
  * A line that was kept as a point gives a line of two equal points.
  */

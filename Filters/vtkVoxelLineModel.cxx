@@ -240,7 +240,8 @@ void vtkVoxelLineModel::SetNumberOfDroppedCurves(int reason, vtkIdType number)
 {
   if (reason < 0 || reason >= NumberOfDropReasons)
   {
-    vtkErrorMacro("Drop reason " << reason << " is outside 0 to " << NumberOfDropReasons - 1 << ".");
+    vtkErrorMacro(
+      "Drop reason " << reason << " is outside 0 to " << NumberOfDropReasons - 1 << ".");
     return;
   }
   if (this->NumberOfDroppedCurves[reason] != number)

@@ -47,8 +47,8 @@
  * - TwoWords (FaceBins 64 to 2048): word 0 has the start code in bits 0 to 25 and the lowest 6 bits
  *   of the id in bits 26 to 31; word 1 the end code and the next 6 bits of the id.
  * - Exact (FaceBins 0): the two end points in voxel-local coordinates [0,1] as 32-bit floats.
- * Where some brick has more curves than these bits can tell apart, CurveIdExtension holds the higher
- * bits for every segment (8, 16 or 32 bits wide).
+ * Where some brick has more curves than these bits can tell apart, CurveIdExtension holds the
+ * higher bits for every segment (8, 16 or 32 bits wide).
  *
  * @sa vtkLineVoxelizer vtkVoxelLineMapper vtkVoxelLineGeometry vtkVoxelLineDensity
  */
@@ -96,9 +96,9 @@ public:
   /// Why a curve of the input is not in the model.
   enum DropReason
   {
-    TooFewPoints = 0,     ///< no point, or a single one
-    NonFinitePoints,      ///< fewer than two points in a row are finite
-    InvalidPointIds,      ///< a point id outside the points of the input
+    TooFewPoints = 0, ///< no point, or a single one
+    NonFinitePoints,  ///< no two points in a row are finite
+    InvalidPointIds,  ///< no two point ids in a row belong to points of the input
     NumberOfDropReasons
   };
 
@@ -182,8 +182,8 @@ public:
    *   32 bits. Segments: unsigned 32-bit, or 32-bit float where end points are exact.
    *   CurveIdExtension: unsigned, 8, 16 or 32 bits.
    * - Attributes: Scalar type 2 components (start, end), Color type 8 components.
-   *   A scalar byte q stands for AttributeRange[0] + q / m * (AttributeRange[1] - AttributeRange[0])
-   *   with m = 254 where HasNaNAttribute is set, and 255 else; where it is set, 255 stands for NaN.
+   *   A scalar byte q stands for (1 - q / m) AttributeRange[0] + q / m AttributeRange[1], with
+   *   m = 254 where HasNaNAttribute is set, and 255 else; where it is set, 255 stands for NaN.
    * - Radii: 2 components (start, end); a byte q stands for the radius q / 255 * MaximumRadius.
    * - CurveCells: one row (input connection index, cell id) per curve of the model.
    */
@@ -230,7 +230,8 @@ public:
 
   ///@{
   /**
-   * Bounds of the curves (without their radius), in world units; uninitialized (1 -1 ...) when empty.
+   * Bounds of the curves (without their radius), in world units; 1 -1 1 -1 1 -1 when
+   * the model is empty.
    */
   vtkSetVector6Macro(Bounds, double);
   vtkGetVector6Macro(Bounds, double);
@@ -254,9 +255,11 @@ public:
    *   transparency is right.
    * - NumberOfCollapsedSegments: segments whose end points fell on each other and that are left
    *   out, since their neighbours on the curve end in the same point.
-   * - NumberOfDroppedCurves by reason, and of points left out because they are not finite; a curve
-   *   that is interrupted by such points goes on after them as a new curve of the same cell.
-   * - LargestDeviation: largest distance between a point of the input and the segment that
+   * - NumberOfDroppedCurves by reason, lines of the input and pieces of them that have no two
+   *   usable points in a row.
+   * - NumberOfDroppedPoints: points that are not finite, and point ids that do not exist. They
+   *   interrupt a curve: it goes on after them as a new curve of the same cell.
+   * - LargestDeviation: largest distance between a point of a curve and the segment that
    *   represents it, in world units.
    */
   vtkSetMacro(NumberOfDuplicates, vtkIdType);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVoxelLineModelBuilderPrivate.h"
 
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
-#include "vtkFloatArray.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeUInt16Array.h"
 #include "vtkTypeUInt32Array.h"
@@ -61,8 +61,8 @@ std::int64_t CountRepetitions(std::vector<T>& values)
   return values.end() - std::unique(values.begin(), values.end());
 }
 
-/// Call worker(cell, first, size) for each run of segments in the same cell: curves are coherent, so
-/// that this saves most of the atomic operations.
+/// Call worker(cell, first, size) for each run of segments in the same cell: curves are coherent,
+/// so that this saves most of the atomic operations.
 template <typename WorkerT>
 void ForEachRun(const std::uint32_t* cells, vtkIdType begin, vtkIdType end, WorkerT&& worker)
 {
@@ -73,7 +73,8 @@ void ForEachRun(const std::uint32_t* cells, vtkIdType begin, vtkIdType end, Work
     {
       ++last;
     }
-    worker(cells[begin], static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(last - begin));
+    worker(
+      cells[begin], static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(last - begin));
     begin = last;
   }
 }
@@ -89,21 +90,36 @@ struct ModelBuilder::Assembly
   std::uint32_t LargestBrickCurves = 0;
 };
 
+/// The arrays of the model that the bricks are written to. Those that it lacks are null.
+struct ModelBuilder::Target
+{
+  std::uint32_t* Rows = nullptr;
+  std::uint32_t* Words = nullptr;
+  std::uint8_t* Attributes = nullptr;
+  std::uint8_t* Radii = nullptr;
+};
+
 /// Writes the segments of one brick after the other to their final place.
 class ModelBuilder::BrickWriter
 {
 public:
-  void Write(ModelBuilder& builder, std::size_t brick, Assembly& assembly, vtkVoxelLineModel* model);
+  void Write(ModelBuilder& builder, std::size_t brick, Assembly& assembly, const Target& target);
 
 private:
   void ListCurves(const ModelBuilder& builder, Assembly& assembly);
+  /// Returns the occupancy mask.
+  std::uint64_t FindVoxels(const ModelBuilder& builder, Assembly& assembly);
+  void PlaceSegments(const ModelBuilder& builder, std::uint32_t* order, const Target& target);
   std::int64_t CountDuplicates(
     const vtkVoxelLineEncoding::Codec& codec, const std::uint32_t* words, std::size_t size);
 
-  /// Emission indices of the brick's segments in ascending order, and the local id of their curves.
+  /// Emission indices of the brick's segments in ascending order, the local ids of their curves,
+  /// and their voxels.
   std::vector<std::uint32_t> Emissions;
   std::vector<std::uint32_t> LocalIds;
   std::vector<std::uint8_t> VoxelBits;
+  /// First segment of each voxel, occupied or not, and the number of segments.
+  std::array<std::uint32_t, VoxelsPerBrick + 1> VoxelStarts{};
   std::vector<std::uint64_t> Keys;
   std::vector<std::array<std::uint32_t, 6>> ExactKeys;
 };
@@ -142,15 +158,17 @@ void ModelBuilder::TakeSegments(std::vector<Trace>& blocks)
   const std::size_t stride = this->Layout.Stride;
   this->SegmentCells.Allocate(this->NumberOfSegments);
   this->Records.Allocate(stride * this->NumberOfSegments);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(blocks.size()), 1, [&](vtkIdType begin, vtkIdType end) {
-    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+  vtkSMPTools::For(0, static_cast<vtkIdType>(blocks.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      Trace& block = blocks[i];
-      CopyTo(block.Cells, this->SegmentCells.Get(starts[i]));
-      CopyTo(block.Records, this->Records.Get(stride * starts[i]));
-      block = Trace();
-    }
-  });
+      for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        Trace& block = blocks[i];
+        CopyTo(block.Cells, this->SegmentCells.Get(starts[i]));
+        CopyTo(block.Records, this->Records.Get(stride * starts[i]));
+        block = Trace();
+      }
+    });
   Release(blocks);
 }
 
@@ -158,18 +176,20 @@ void ModelBuilder::TakeSegments(std::vector<Trace>& blocks)
 void ModelBuilder::SortIntoBricks()
 {
   const int* bricks = this->Cells.BrickDimensions;
-  const std::size_t numberOfCells =
-    static_cast<std::size_t>(bricks[0]) * static_cast<std::size_t>(bricks[1]) * static_cast<std::size_t>(bricks[2]);
+  const std::size_t numberOfCells = static_cast<std::size_t>(bricks[0]) *
+    static_cast<std::size_t>(bricks[1]) * static_cast<std::size_t>(bricks[2]);
   const vtkIdType numberOfSegments = static_cast<vtkIdType>(this->NumberOfSegments);
   const std::uint32_t* cells = this->SegmentCells.Get();
   // Counts first, cursors later.
   std::unique_ptr<std::atomic<std::uint32_t>[]> cursors(
     new std::atomic<std::uint32_t>[numberOfCells]());
-  vtkSMPTools::For(0, numberOfSegments, SegmentsPerTask, [&](vtkIdType begin, vtkIdType end) {
-    ForEachRun(cells, begin, end, [&](std::uint32_t cell, std::uint32_t, std::uint32_t size) {
-      cursors[cell].fetch_add(size, std::memory_order_relaxed);
+  vtkSMPTools::For(0, numberOfSegments, SegmentsPerTask,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      ForEachRun(cells, begin, end,
+        [&](std::uint32_t cell, std::uint32_t, std::uint32_t size)
+        { cursors[cell].fetch_add(size, std::memory_order_relaxed); });
     });
-  });
 
   std::uint32_t start = 0;
   for (std::size_t cell = 0; cell < numberOfCells; ++cell)
@@ -186,16 +206,20 @@ void ModelBuilder::SortIntoBricks()
   this->BrickStarts.push_back(start);
 
   this->Order.Allocate(this->NumberOfSegments);
-  vtkSMPTools::For(0, numberOfSegments, SegmentsPerTask, [&](vtkIdType begin, vtkIdType end) {
-    ForEachRun(cells, begin, end, [&](std::uint32_t cell, std::uint32_t first, std::uint32_t size) {
-      std::uint32_t* target =
-        this->Order.Get(cursors[cell].fetch_add(size, std::memory_order_relaxed));
-      for (std::uint32_t i = 0; i < size; ++i)
-      {
-        target[i] = first + i;
-      }
+  vtkSMPTools::For(0, numberOfSegments, SegmentsPerTask,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      ForEachRun(cells, begin, end,
+        [&](std::uint32_t cell, std::uint32_t first, std::uint32_t size)
+        {
+          std::uint32_t* target =
+            this->Order.Get(cursors[cell].fetch_add(size, std::memory_order_relaxed));
+          for (std::uint32_t i = 0; i < size; ++i)
+          {
+            target[i] = first + i;
+          }
+        });
     });
-  });
   this->SegmentCells.Free();
 }
 
@@ -254,80 +278,97 @@ std::int64_t ModelBuilder::BrickWriter::CountDuplicates(
 }
 
 //------------------------------------------------------------------------------
+std::uint64_t ModelBuilder::BrickWriter::FindVoxels(const ModelBuilder& builder, Assembly& assembly)
+{
+  const RecordLayout& layout = builder.Layout;
+  this->VoxelStarts.fill(0);
+  this->VoxelBits.resize(this->Emissions.size());
+  for (std::size_t i = 0; i < this->Emissions.size(); ++i)
+  {
+    this->VoxelBits[i] =
+      layout.GetVoxelBit(builder.Records.Get(layout.Stride * this->Emissions[i]));
+    ++this->VoxelStarts[this->VoxelBits[i] + 1u];
+  }
+  std::uint64_t mask = 0;
+  for (std::size_t voxel = 0; voxel < VoxelsPerBrick; ++voxel)
+  {
+    if (this->VoxelStarts[voxel + 1] > 0)
+    {
+      mask |= std::uint64_t(1) << voxel;
+      assembly.VoxelStarts.push_back(this->VoxelStarts[voxel]);
+    }
+    this->VoxelStarts[voxel + 1] += this->VoxelStarts[voxel];
+  }
+  assembly.VoxelStarts.push_back(this->VoxelStarts[VoxelsPerBrick]);
+  return mask;
+}
+
+//------------------------------------------------------------------------------
+void ModelBuilder::BrickWriter::PlaceSegments(
+  const ModelBuilder& builder, std::uint32_t* order, const Target& target)
+{
+  const RecordLayout& layout = builder.Layout;
+  std::array<std::uint32_t, VoxelsPerBrick + 1> cursors = this->VoxelStarts;
+  for (std::size_t i = 0; i < this->Emissions.size(); ++i)
+  {
+    const std::uint32_t* record = builder.Records.Get(layout.Stride * this->Emissions[i]);
+    const std::uint8_t* bytes = layout.GetBytes(record);
+    const std::size_t place = cursors[this->VoxelBits[i]]++;
+    std::copy_n(record, layout.Words, target.Words + layout.Words * place);
+    builder.Codec.PackCurve(this->LocalIds[i], target.Words + layout.Words * place);
+    order[place] = this->LocalIds[i];
+    if (layout.AttributeBytes > 0)
+    {
+      std::copy_n(bytes, layout.AttributeBytes, target.Attributes + layout.AttributeBytes * place);
+    }
+    if (layout.RadiusBytes > 0)
+    {
+      std::copy_n(bytes + layout.AttributeBytes, layout.RadiusBytes,
+        target.Radii + layout.RadiusBytes * place);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void ModelBuilder::BrickWriter::Write(
-  ModelBuilder& builder, std::size_t brick, Assembly& assembly, vtkVoxelLineModel* model)
+  ModelBuilder& builder, std::size_t brick, Assembly& assembly, const Target& target)
 {
   const std::uint32_t first = builder.BrickStarts[brick];
   std::uint32_t* order = builder.Order.Get(first);
   this->Emissions.assign(order, builder.Order.Get(builder.BrickStarts[brick + 1]));
   std::sort(this->Emissions.begin(), this->Emissions.end());
 
-  std::uint32_t* row =
-    static_cast<std::uint32_t*>(model->GetBricks()->GetVoidPointer(0)) + WordsPerRow * brick;
+  std::uint32_t* row = target.Rows + WordsPerRow * brick;
   row[2] = first;
   row[3] = static_cast<std::uint32_t>(assembly.VoxelStarts.size());
   row[4] = static_cast<std::uint32_t>(assembly.Curves.size());
   this->ListCurves(builder, assembly);
-
-  const RecordLayout& layout = builder.Layout;
-  std::array<std::uint32_t, VoxelsPerBrick + 1> voxelStarts{};
-  this->VoxelBits.resize(this->Emissions.size());
-  for (std::size_t i = 0; i < this->Emissions.size(); ++i)
-  {
-    this->VoxelBits[i] =
-      layout.GetVoxelBit(builder.Records.Get(layout.Stride * this->Emissions[i]));
-    ++voxelStarts[this->VoxelBits[i] + 1u];
-  }
-  std::uint64_t mask = 0;
-  for (std::size_t voxel = 0; voxel < VoxelsPerBrick; ++voxel)
-  {
-    if (voxelStarts[voxel + 1] > 0)
-    {
-      mask |= std::uint64_t(1) << voxel;
-      assembly.VoxelStarts.push_back(voxelStarts[voxel]);
-    }
-    voxelStarts[voxel + 1] += voxelStarts[voxel];
-  }
-  assembly.VoxelStarts.push_back(voxelStarts[VoxelsPerBrick]);
+  const std::uint64_t mask = this->FindVoxels(builder, assembly);
   row[0] = static_cast<std::uint32_t>(mask);
   row[1] = static_cast<std::uint32_t>(mask >> 32);
 
-  std::array<std::uint32_t, VoxelsPerBrick> cursors;
-  std::copy_n(voxelStarts.begin(), VoxelsPerBrick, cursors.begin());
-  std::uint32_t* words =
-    static_cast<std::uint32_t*>(model->GetSegments()->GetVoidPointer(0)) + layout.Words * first;
-  std::uint8_t* attributes = layout.AttributeBytes > 0
-    ? model->GetAttributes()->GetPointer(0) + layout.AttributeBytes * first
-    : nullptr;
-  std::uint8_t* radii = layout.RadiusBytes > 0
-    ? model->GetRadii()->GetPointer(0) + layout.RadiusBytes * first
-    : nullptr;
-  for (std::size_t i = 0; i < this->Emissions.size(); ++i)
-  {
-    const std::uint32_t* record = builder.Records.Get(layout.Stride * this->Emissions[i]);
-    const std::uint8_t* bytes = layout.GetBytes(record);
-    const std::size_t target = cursors[this->VoxelBits[i]]++;
-    std::copy_n(record, layout.Words, words + layout.Words * target);
-    builder.Codec.PackCurve(this->LocalIds[i], words + layout.Words * target);
-    order[target] = this->LocalIds[i];
-    std::copy_n(bytes, layout.AttributeBytes, attributes + layout.AttributeBytes * target);
-    std::copy_n(
-      bytes + layout.AttributeBytes, layout.RadiusBytes, radii + layout.RadiusBytes * target);
-  }
+  const RecordLayout& layout = builder.Layout;
+  Target here = target;
+  here.Words += layout.Words * first;
+  here.Attributes += layout.AttributeBytes * first;
+  here.Radii += layout.RadiusBytes * first;
+  this->PlaceSegments(builder, order, here);
   for (std::size_t voxel = 0; voxel < VoxelsPerBrick; ++voxel)
   {
-    const std::size_t voxelSize = voxelStarts[voxel + 1] - voxelStarts[voxel];
-    if (voxelSize > 1)
+    const std::size_t start = this->VoxelStarts[voxel];
+    const std::size_t size = this->VoxelStarts[voxel + 1] - start;
+    if (size > 1)
     {
       assembly.NumberOfDuplicates +=
-        this->CountDuplicates(builder.Codec, words + layout.Words * voxelStarts[voxel], voxelSize);
+        this->CountDuplicates(builder.Codec, here.Words + layout.Words * start, size);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void ModelBuilder::AssembleBricks(vtkVoxelLineModel* model)
+ModelBuilder::Target ModelBuilder::MakeArrays(vtkVoxelLineModel* model) const
 {
+  Target target;
   if (this->Codec.FaceBins == 0)
   {
     model->SetSegments(MakeArray<vtkFloatArray>(this->Codec.Words, this->NumberOfSegments));
@@ -336,33 +377,45 @@ void ModelBuilder::AssembleBricks(vtkVoxelLineModel* model)
   {
     model->SetSegments(MakeArray<vtkTypeUInt32Array>(this->Codec.Words, this->NumberOfSegments));
   }
+  target.Words = static_cast<std::uint32_t*>(model->GetSegments()->GetVoidPointer(0));
   if (this->Values.AttributeSize > 0)
   {
     model->SetAttributes(
       MakeArray<vtkUnsignedCharArray>(2 * this->Values.AttributeSize, this->NumberOfSegments));
+    target.Attributes = model->GetAttributes()->GetPointer(0);
   }
   if (this->Values.HasRadii)
   {
     model->SetRadii(MakeArray<vtkUnsignedCharArray>(2, this->NumberOfSegments));
+    target.Radii = model->GetRadii()->GetPointer(0);
   }
   model->SetBricks(MakeArray<vtkTypeUInt32Array>(WordsPerRow, this->NumberOfBricks() + 1));
+  target.Rows = static_cast<std::uint32_t*>(model->GetBricks()->GetVoidPointer(0));
+  return target;
+}
 
+//------------------------------------------------------------------------------
+void ModelBuilder::AssembleBricks(vtkVoxelLineModel* model)
+{
+  const Target target = this->MakeArrays(model);
   const vtkIdType numberOfBricks = static_cast<vtkIdType>(this->NumberOfBricks());
   const vtkIdType numberOfTasks = (numberOfBricks + BricksPerTask - 1) / BricksPerTask;
   std::vector<Assembly> assemblies(static_cast<std::size_t>(numberOfTasks));
   vtkSMPThreadLocal<BrickWriter> writers;
-  vtkSMPTools::For(0, numberOfTasks, 1, [&](vtkIdType begin, vtkIdType end) {
-    BrickWriter& writer = writers.Local();
-    for (vtkIdType task = begin; task < end; ++task)
+  vtkSMPTools::For(0, numberOfTasks, 1,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const vtkIdType last = std::min((task + 1) * BricksPerTask, numberOfBricks);
-      for (vtkIdType brick = task * BricksPerTask; brick < last; ++brick)
+      BrickWriter& writer = writers.Local();
+      for (vtkIdType task = begin; task < end; ++task)
       {
-        writer.Write(*this, static_cast<std::size_t>(brick),
-          assemblies[static_cast<std::size_t>(task)], model);
+        const vtkIdType last = std::min((task + 1) * BricksPerTask, numberOfBricks);
+        for (vtkIdType brick = task * BricksPerTask; brick < last; ++brick)
+        {
+          writer.Write(*this, static_cast<std::size_t>(brick),
+            assemblies[static_cast<std::size_t>(task)], target);
+        }
       }
-    }
-  });
+    });
   this->Records.Free();
   this->JoinBricks(model, assemblies);
 }
@@ -378,7 +431,8 @@ void ModelBuilder::JoinBricks(vtkVoxelLineModel* model, std::vector<Assembly>& a
   for (std::size_t task = 0; task < assemblies.size(); ++task)
   {
     const std::size_t first = task * static_cast<std::size_t>(BricksPerTask);
-    const std::size_t last = std::min(first + static_cast<std::size_t>(BricksPerTask), this->NumberOfBricks());
+    const std::size_t last =
+      std::min(first + static_cast<std::size_t>(BricksPerTask), this->NumberOfBricks());
     for (std::size_t brick = first; brick < last; ++brick)
     {
       rows[WordsPerRow * brick + 3] += static_cast<std::uint32_t>(voxelStarts);
@@ -469,7 +523,8 @@ void ModelBuilder::MakeCurveIdExtension(vtkVoxelLineModel* model, std::uint32_t 
   void* target = extension->GetVoidPointer(0);
   const int width = extension->GetDataTypeSize();
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->NumberOfSegments), SegmentsPerTask,
-    [&](vtkIdType begin, vtkIdType end) {
+    [&](vtkIdType begin, vtkIdType end)
+    {
       for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
         const std::uint32_t bits = this->Order[i] >> this->Codec.CurveBits;
@@ -494,7 +549,8 @@ void ModelBuilder::MakeCurveIdExtension(vtkVoxelLineModel* model, std::uint32_t 
 void ModelBuilder::MakeBrickGrid(vtkVoxelLineModel* model)
 {
   const int* bricks = this->Cells.BrickDimensions;
-  const std::size_t numberOfCells = static_cast<std::size_t>(bricks[0]) * static_cast<std::size_t>(bricks[1]) * static_cast<std::size_t>(bricks[2]);
+  const std::size_t numberOfCells = static_cast<std::size_t>(bricks[0]) *
+    static_cast<std::size_t>(bricks[1]) * static_cast<std::size_t>(bricks[2]);
   std::vector<std::uint8_t> distances(numberOfCells, 255);
   for (std::uint32_t cell : this->BrickCells)
   {

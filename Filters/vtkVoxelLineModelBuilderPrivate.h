@@ -57,7 +57,7 @@ class ModelBuilder
 public:
   ModelBuilder(const Grid& grid, int faceBins, const Payload& payload);
 
-  /// Take the segments of all blocks in one row, and free the blocks. At most 2^32 - 1 segments.
+  /// Take the segments of all blocks in one row, and free the blocks. At most 2^31 segments.
   void TakeSegments(std::vector<Trace>& blocks);
 
   /// Steps 1 and 2.
@@ -71,9 +71,11 @@ public:
 
 private:
   struct Assembly;
+  struct Target;
   class BrickWriter;
 
   std::size_t NumberOfBricks() const { return this->BrickStarts.size() - 1; }
+  Target MakeArrays(vtkVoxelLineModel* model) const;
   void JoinBricks(vtkVoxelLineModel* model, std::vector<Assembly>& assemblies);
   template <typename ArrayT>
   void JoinVoxelStarts(vtkVoxelLineModel* model, const std::vector<Assembly>& assemblies) const;

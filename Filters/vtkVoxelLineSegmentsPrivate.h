@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Reads the segments of a vtkVoxelLineModel brick by brick, for filters that go through all of them.
+ * Reads the segments of a vtkVoxelLineModel brick by brick, for filters that go through all of
+ * them.
  */
 
 #ifndef vtkVoxelLineSegmentsPrivate_h

@@ -88,21 +88,20 @@ void CheckAffine(
   Checks& check, vtkVoxelLineModel* model, double a, double b, const std::string& name)
 {
   if (!check(model->GetAttributeKind() == vtkVoxelLineModel::Scalar && model->GetAttributes() &&
-        model->GetAttributes()->GetNumberOfComponents() == 2,
+          model->GetAttributes()->GetNumberOfComponents() == 2,
         name + ": scalars"))
   {
     return;
   }
-  const double step =
-    (model->GetAttributeRange()[1] - model->GetAttributeRange()[0]) / 254.0;
+  const double step = (model->GetAttributeRange()[1] - model->GetAttributeRange()[0]) / 254.0;
   // Half a step of the bytes, and the error of the end points: half an interior bin.
   const double bound =
     0.5 * step + std::abs(b) * 0.5 * model->GetVoxelSize() / model->GetInteriorBins() + 1e-9;
   double largest = 0.0;
   for (const Segment& segment : DecodeModel(model))
   {
-    largest = std::max(largest,
-      std::abs(ValueOf(model, segment.Index, 0) - (a + b * WorldX(model, segment.Start))));
+    largest = std::max(
+      largest, std::abs(ValueOf(model, segment.Index, 0) - (a + b * WorldX(model, segment.Start))));
     largest = std::max(
       largest, std::abs(ValueOf(model, segment.Index, 1) - (a + b * WorldX(model, segment.End))));
   }
@@ -123,7 +122,8 @@ void TestScalars(Checks& check)
   const auto x = [lines](vtkIdType i, int) { return lines->GetPoint(i)[0]; };
   for (int type : { VTK_DOUBLE, VTK_FLOAT })
   {
-    scene.Add(lines->GetPointData(), 6, 1, [&](vtkIdType i, int c) { return 3.0 - 7.0 * x(i, c); }, type);
+    scene.Add(
+      lines->GetPointData(), 6, 1, [&](vtkIdType i, int c) { return 3.0 - 7.0 * x(i, c); }, type);
     CheckAffine(check, scene.Run(), 3.0, -7.0, "point scalars");
     check(!scene.Observer->GetWarning(), "point scalars: no complaint");
   }
@@ -214,7 +214,8 @@ void TestNaN(Checks& check)
         {
           const bool isNaNExpected = where > 0.25 && where < 0.75;
           wrong += std::isnan(value) != isNaNExpected;
-          wrong += !isNaNExpected && std::abs(value - (where < 0.5 ? 10.0 : 12.0)) > 0.5 * 5.0 / 254.0;
+          wrong +=
+            !isNaNExpected && std::abs(value - (where < 0.5 ? 10.0 : 12.0)) > 0.5 * 5.0 / 254.0;
         }
       }
     }
@@ -232,7 +233,8 @@ void TestNaN(Checks& check)
   int extremes = 0;
   for (vtkIdType i = 0; i < model->GetAttributes()->GetNumberOfValues(); ++i)
   {
-    extremes += model->GetAttributes()->GetValue(i) == 255 || model->GetAttributes()->GetValue(i) == 0;
+    extremes +=
+      model->GetAttributes()->GetValue(i) == 255 || model->GetAttributes()->GetValue(i) == 0;
   }
   check(!model->GetHasNaNAttribute() && extremes > 10 &&
       extremes < model->GetAttributes()->GetNumberOfValues(),
@@ -245,12 +247,13 @@ void TestColors(Checks& check)
   for (int components = 1; components <= 4; ++components)
   {
     Scene scene;
-    scene.Add(scene.Lines->GetCellData(), 2, components,
-      [&](vtkIdType i, int c) { return colors[i][c]; }, VTK_UNSIGNED_CHAR);
+    scene.Add(
+      scene.Lines->GetCellData(), 2, components, [&](vtkIdType i, int c) { return colors[i][c]; },
+      VTK_UNSIGNED_CHAR);
     vtkVoxelLineModel* model = scene.Run();
     const std::string name = std::to_string(components) + " colour components";
     if (!check(model->GetAttributeKind() == vtkVoxelLineModel::Color &&
-          model->GetAttributes()->GetNumberOfComponents() == 8,
+            model->GetAttributes()->GetNumberOfComponents() == 8,
           name))
     {
       continue;
@@ -270,7 +273,8 @@ void TestColors(Checks& check)
     check(wrong == 0, name + ": each curve has its colour");
   }
   Scene scene;
-  scene.Add(scene.Lines->GetPointData(), 6, 3, [](vtkIdType i, int c) { return 40.0 * i + c; },
+  scene.Add(
+    scene.Lines->GetPointData(), 6, 3, [](vtkIdType i, int c) { return 40.0 * i + c; },
     VTK_UNSIGNED_CHAR);
   scene.Voxelizer->DirectColorsOff();
   vtkVoxelLineModel* model = scene.Run();
@@ -355,7 +359,8 @@ void TestRadii(Checks& check)
   scene.Voxelizer->SetRadiusArrayName("Missing");
   model = scene.Run();
   check(!model->GetRadii() && scene.Warns("Missing is not among the point data"), "missing radii");
-  check(model->GetMaximumRadius() == 0.0 && model->GetNumberOfSegments() > 0, "lines without radii");
+  check(
+    model->GetMaximumRadius() == 0.0 && model->GetNumberOfSegments() > 0, "lines without radii");
 }
 
 void TestSeveralInputs(Checks& check)
@@ -365,8 +370,8 @@ void TestSeveralInputs(Checks& check)
   vtkSmartPointer<vtkPolyData> inputs[2];
   for (int i = 0; i < 2; ++i)
   {
-    inputs[i] = MakeLines({ { { 0.0, i + 0.2, 0.0 }, { 1.0, i + 0.2, 0.0 } } },
-      i == 0 ? VTK_FLOAT : VTK_DOUBLE);
+    inputs[i] = MakeLines(
+      { { { 0.0, i + 0.2, 0.0 }, { 1.0, i + 0.2, 0.0 } } }, i == 0 ? VTK_FLOAT : VTK_DOUBLE);
     scene.Add(inputs[i]->GetPointData(), 2, 1, [i](vtkIdType j, int) { return 10.0 * i + j; });
     scene.Voxelizer->AddInputData(inputs[i]);
   }
@@ -391,6 +396,18 @@ void TestSeveralInputs(Checks& check)
           std::abs(last - (10.0 * (curve - 2) + 1.0)) < 0.03,
       "several inputs: values of each");
   }
+
+  // An input without lines lacks nothing.
+  scene.Voxelizer->RemoveAllInputs();
+  vtkNew<vtkPolyData> empty;
+  empty->SetLines(nullptr);
+  scene.Voxelizer->AddInputData(empty);
+  scene.Voxelizer->AddInputData(inputs[0]);
+  scene.Voxelizer->SetRadiusArrayName("Values");
+  model = scene.Run();
+  check(!scene.Observer->GetWarning() && !model->GetHasNaNAttribute() && model->GetRadii() &&
+      model->GetCurveCells()->GetComponent(0, 0) == 1.0,
+    "an input without lines");
 }
 
 }

@@ -167,13 +167,14 @@ void TestEmpty(Checks& check)
     lines->SetVerts(verts);
     Outcome outcome(lines);
     check(outcome.Warns(""), "lines and vertices: no complaint");
-    check(outcome.Model->GetCurveCells()->GetTypedComponent(0, 1) == 2, "lines and vertices: cell id");
+    check(
+      outcome.Model->GetCurveCells()->GetTypedComponent(0, 1) == 2, "lines and vertices: cell id");
   }
 }
 
 /// Every curve is connected and ends where it should, to half the diagonal of an interior bin.
-void CheckPlacement(
-  Checks& check, vtkVoxelLineModel* model, const std::vector<Curve>& curves, const std::string& name)
+void CheckPlacement(Checks& check, vtkVoxelLineModel* model, const std::vector<Curve>& curves,
+  const std::string& name)
 {
   const std::vector<Segment> segments = DecodeModel(model);
   for (std::size_t i = 0; i < curves.size(); ++i)
@@ -198,7 +199,8 @@ void CheckPlacement(
 
 void TestExtents(Checks& check)
 {
-  const auto moved = [](const std::vector<Curve>& curves, double scale, const Point& offset) {
+  const auto moved = [](const std::vector<Curve>& curves, double scale, const Point& offset)
+  {
     std::vector<Curve> result = curves;
     for (Curve& curve : result)
     {

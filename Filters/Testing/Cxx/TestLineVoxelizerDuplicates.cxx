@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Guards the count of segments that quantization made equal: it is right, whichever way a segment
- * points, and its rate on smooth curves stays below that of Kanzler et al. 2019, Fig. 16c: less than
- * 0.1 % from 128^3 voxels and 32 bins on.
+ * points, and its rate on smooth curves stays below that of Kanzler et al. 2019, Fig. 16c: less
+ * than 0.1 % from 128^3 voxels and 32 bins on.
  */
 
 #include "VoxelLineTesting.h"
@@ -48,8 +48,8 @@ int TestLineVoxelizerDuplicates(int, char*[])
   for (int bins : { 2, 4, 8 })
   {
     vtkSmartPointer<vtkVoxelLineModel> model = MakeModel(check, random, 16, bins);
-    check(model->GetNumberOfDuplicates() > 0 &&
-        model->GetNumberOfDuplicates() == CountByHand(model),
+    check(
+      model->GetNumberOfDuplicates() > 0 && model->GetNumberOfDuplicates() == CountByHand(model),
       std::to_string(bins) + " bins: random curves, by hand");
   }
 

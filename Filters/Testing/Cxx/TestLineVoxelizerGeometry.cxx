@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Guards what a voxel line model keeps of the curves: for every encoding, each curve is one
- * connected chain in the right voxels, begins and ends where the curve does, stays within the bounds
- * of its tolerance and its bins, and is at no place farther from the curve than LargestDeviation says.
+ * connected chain in the right voxels, begins and ends where the curve does, stays within the
+ * bounds of its tolerance and its bins, and is at no place farther from the curve than
+ * LargestDeviation says.
  */
 
 #include "VoxelLineTesting.h"
@@ -117,8 +118,10 @@ int TestLineVoxelizerGeometry(int, char*[])
         model->GetSegmentPoints(segment.Index, start, end);
         for (int axis = 0; axis < 3; ++axis)
         {
-          largest = std::max(largest, std::abs(start[axis] + segment.Voxel[axis] - segment.Start[axis]));
-          largest = std::max(largest, std::abs(end[axis] + segment.Voxel[axis] - segment.End[axis]));
+          largest =
+            std::max(largest, std::abs(start[axis] + segment.Voxel[axis] - segment.Start[axis]));
+          largest =
+            std::max(largest, std::abs(end[axis] + segment.Voxel[axis] - segment.End[axis]));
         }
         check(model->GetSegmentCurve(segment.Brick, segment.Index) == segment.Curve,
           name + ": GetSegmentCurve");
@@ -126,7 +129,7 @@ int TestLineVoxelizerGeometry(int, char*[])
       check(largest == 0.0, name + ": GetSegmentPoints");
       for (std::size_t i = 0; i < curves.size(); ++i)
       {
-        CheckCurve(check, model, 
+        CheckCurve(check, model,
           Chain(segments, static_cast<vtkIdType>(i), ToLocal(model, curves[i].front())), curves[i],
           name + ", curve " + std::to_string(i));
       }

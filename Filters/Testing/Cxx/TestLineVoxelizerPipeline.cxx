@@ -90,7 +90,8 @@ void TestExecutions(Checks& check)
   counter->SetCallback(
     [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
   voxelizer->AddObserver(vtkCommand::StartEvent, counter);
-  const auto runs = [&]() {
+  const auto runs = [&]()
+  {
     executions = 0;
     voxelizer->Update();
     return executions;
@@ -130,8 +131,8 @@ void TestAppend(Checks& check)
   vtkNew<vtkAppendPolyData> append;
   for (unsigned seed = 1; seed <= 3; ++seed)
   {
-    vtkSmartPointer<vtkPolyData> lines = MakeLines(
-      MakeSmoothCurves(20, 30, seed), seed == 2 ? VTK_FLOAT : VTK_DOUBLE);
+    vtkSmartPointer<vtkPolyData> lines =
+      MakeLines(MakeSmoothCurves(20, 30, seed), seed == 2 ? VTK_FLOAT : VTK_DOUBLE);
     if (seed == 3)
     {
       lines->GetLines()->ConvertTo32BitStorage();
@@ -161,8 +162,8 @@ void TestAppend(Checks& check)
   }
 
   // Two-point line cells are curves too.
-  vtkSmartPointer<vtkPolyData> lines = MakeLines({ { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 0.5 } },
-    { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.5 } } });
+  vtkSmartPointer<vtkPolyData> lines = MakeLines(
+    { { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 0.5 } }, { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.5 } } });
   check(MakeModel(check, lines, 8, 32)->GetNumberOfCurves() == 2, "two-point lines");
 }
 

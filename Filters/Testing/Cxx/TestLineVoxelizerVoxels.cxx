@@ -56,8 +56,8 @@ void TestManyCurves(Checks& check, int numberOfCurves, int bins, int extensionBy
     curves.push_back({ { s, 0.1, 0.2 }, { 1.0 - s, 0.9, 0.7 } });
   }
   vtkSmartPointer<vtkVoxelLineModel> model = MakeModel(check, MakeLines(curves), 1, bins);
-  const std::string name = std::to_string(numberOfCurves) + " curves in a voxel, " +
-    std::to_string(bins) + " bins";
+  const std::string name =
+    std::to_string(numberOfCurves) + " curves in a voxel, " + std::to_string(bins) + " bins";
   vtkDataArray* extension = model->GetCurveIdExtension();
   check((extension ? extension->GetDataTypeSize() : 0) == extensionBytes, name + ": extension");
   check(model->GetVoxelStarts()->GetDataTypeSize() == (numberOfCurves > 65535 ? 4 : 2),
@@ -84,8 +84,8 @@ void TestHelix(Checks& check, double radius, int bins)
   }
   vtkSmartPointer<vtkVoxelLineModel> model =
     MakeModel(check, MakeLines({ Diagonal(), helix }), 4, bins);
-  const std::string name = "helix of radius " + std::to_string(4 * radius) + " voxels, " +
-    std::to_string(bins) + " bins";
+  const std::string name =
+    "helix of radius " + std::to_string(4 * radius) + " voxels, " + std::to_string(bins) + " bins";
   const std::vector<Segment> segments = DecodeModel(model);
   const std::vector<Segment> chain = Chain(segments, 1, ToLocal(model, helix[0]));
   if (!check(!chain.empty(), name + ": connected"))
@@ -140,8 +140,8 @@ void TestPlanes(Checks& check)
       for (int z = -1; z <= 1; ++z)
       {
         const Point d = { 0.375 * x, 0.375 * y, 0.375 * z };
-        for (const Point& middle : { Point{ 0.5, 0.5, 0.5 }, Point{ 0.5, 0.53, 0.47 },
-               Point{ 0.5625, 0.5625, 0.5625 } })
+        for (const Point& middle :
+          { Point{ 0.5, 0.5, 0.5 }, Point{ 0.5, 0.53, 0.47 }, Point{ 0.5625, 0.5625, 0.5625 } })
         {
           if (x != 0 || y != 0 || z != 0)
           {
@@ -158,7 +158,8 @@ void TestPlanes(Checks& check)
   curves.push_back({ { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 1.0, 1.0 }, { 1.0, 1.0, 1.0 },
     { 1.0, 0.0, 1.0 }, { 1.0, 0.0, 0.0 } });
   // Across a plane by almost nothing, and in directions that underflow.
-  curves.push_back({ { 0.5, 0.2, 0.2 }, { std::nextafter(0.5, 0.0), 0.2, 0.2 }, { 0.5, 0.7, 0.2 } });
+  curves.push_back(
+    { { 0.5, 0.2, 0.2 }, { std::nextafter(0.5, 0.0), 0.2, 0.2 }, { 0.5, 0.7, 0.2 } });
   curves.push_back({ { 0.0, 0.2, 0.2 }, { 1e-300, 0.8, 0.2 }, { 5e-324, 0.2, 0.2 } });
   curves.push_back({ { 1e-300, 1e-300, 0.0 }, { 2e-300, 3e-300, 1.0 } });
   for (int bins : { 0, 2, 32, 2048 })
@@ -167,8 +168,8 @@ void TestPlanes(Checks& check)
     const std::vector<Segment> segments = DecodeModel(model);
     for (std::size_t i = 0; i < curves.size(); ++i)
     {
-      const std::string name = "grid planes, " + std::to_string(bins) + " bins, curve " +
-        std::to_string(i);
+      const std::string name =
+        "grid planes, " + std::to_string(bins) + " bins, curve " + std::to_string(i);
       const std::vector<Segment> chain =
         Chain(segments, static_cast<vtkIdType>(i), ToLocal(model, curves[i].front()));
       if (!check(!chain.empty(), name + ": connected"))
@@ -176,8 +177,8 @@ void TestPlanes(Checks& check)
         continue;
       }
       const double bin = bins > 0 ? std::sqrt(0.75) / model->GetInteriorBins() + 1e-12 : 1e-6;
-      check(Length(chain.front().Start - ToLocal(model, curves[i].front())) <= bin,
-        name + ": start");
+      check(
+        Length(chain.front().Start - ToLocal(model, curves[i].front())) <= bin, name + ": start");
       check(Length(chain.back().End - ToLocal(model, curves[i].back())) <= bin, name + ": end");
       // At most one segment per voxel that an edge crosses, and a few for the ties.
       check(chain.size() <= 30 * curves[i].size(), name + ": no more segments than needed");

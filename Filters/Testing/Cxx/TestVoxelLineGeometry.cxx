@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Guards vtkVoxelLineGeometry: lines of a model come back, connected, in place and with their values
- * and cells; a model of these lines in the same grid is the same model again. And
+ * Guards vtkVoxelLineGeometry: lines of a model come back, connected, in place and with their
+ * values and cells; a model of these lines in the same grid is the same model again. And
  * vtkVoxelLineDensity: the densities sum up to the length of these lines.
  */
 
 #include "VoxelLineTesting.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 #include "vtkErrorCode.h"
+#include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
@@ -114,9 +114,9 @@ void TestGeometry(Checks& check, int bins)
   vtkVoxelLineModel* model = voxelizer->GetOutput();
   const double voxel = model->GetVoxelSize();
 
-  if (!check(output->GetNumberOfLines() == lines->GetNumberOfLines(), name + ": a line per curve") ||
-    !check(output->GetNumberOfPoints() ==
-        model->GetNumberOfSegments() + model->GetNumberOfCurves(),
+  if (!check(
+        output->GetNumberOfLines() == lines->GetNumberOfLines(), name + ": a line per curve") ||
+    !check(output->GetNumberOfPoints() == model->GetNumberOfSegments() + model->GetNumberOfCurves(),
       name + ": a point per segment and a last one"))
   {
     return;
@@ -211,8 +211,8 @@ void TestGeometry(Checks& check, int bins)
   double largest = 0.0;
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
-    largest = std::max(largest,
-      std::abs(expected[static_cast<std::size_t>(i)] - scalars->GetComponent(i, 0)));
+    largest = std::max(
+      largest, std::abs(expected[static_cast<std::size_t>(i)] - scalars->GetComponent(i, 0)));
   }
   check(largest < 1e-5, name + ": density of each voxel");
 }
@@ -246,12 +246,13 @@ int CountTouches(vtkVoxelLineModel* model, vtkPolyData* lines)
 }
 
 /// The decoded lines, voxelized again into the same grid, give the same segments. Only where a line
-/// touches a face from above, there is nothing left that leaves the voxel: it becomes a point inside,
-/// which changes the two segments that meet there.
+/// touches a face from above, there is nothing left that leaves the voxel: it becomes a point
+/// inside, which changes the two segments that meet there.
 void TestRoundTrip(Checks& check)
 {
   // Voxels of 1/8, so that points on faces are there without rounding.
-  const auto setUp = [](vtkLineVoxelizer* voxelizer) {
+  const auto setUp = [](vtkLineVoxelizer* voxelizer)
+  {
     voxelizer->SetResolution(16);
     voxelizer->SetFaceBins(64);
     voxelizer->UseCustomBoundsOn();
@@ -269,7 +270,8 @@ void TestRoundTrip(Checks& check)
   // All interior points but those that rounding makes.
   again->SetInteriorTolerance(1e-9);
   again->Update();
-  const auto edgesOf = [](vtkVoxelLineModel* model) {
+  const auto edgesOf = [](vtkVoxelLineModel* model)
+  {
     std::vector<std::pair<Point, Point>> edges;
     for (const Segment& segment : DecodeModel(model))
     {

@@ -27,7 +27,8 @@ std::vector<int> FindDistances(const std::vector<bool>& isOccupied, const int di
 {
   std::vector<int> distances(isOccupied.size(), largest);
   std::vector<std::array<int, 3>> occupied;
-  const auto placeOf = [dims](std::size_t cell) {
+  const auto placeOf = [dims](std::size_t cell)
+  {
     const int i = static_cast<int>(cell);
     return std::array<int, 3>{ i % dims[0], i / dims[0] % dims[1], i / dims[0] / dims[1] };
   };
@@ -163,9 +164,8 @@ void TestStructure(Checks& check, vtkVoxelLineModel* model)
 void TestMemory(Checks& check, vtkVoxelLineModel* model)
 {
   const vtkIdType segments = model->GetNumberOfSegments();
-  vtkIdType extension = model->GetCurveIdExtension()
-    ? segments * model->GetCurveIdExtension()->GetDataTypeSize()
-    : 0;
+  vtkIdType extension =
+    model->GetCurveIdExtension() ? segments * model->GetCurveIdExtension()->GetDataTypeSize() : 0;
   check(model->GetNumberOfBytes(vtkVoxelLineModel::SegmentPart) ==
       4 * segments * model->GetSegmentWords() + extension,
     "bytes of segments");
@@ -177,8 +177,7 @@ void TestMemory(Checks& check, vtkVoxelLineModel* model)
         2 * (model->GetNumberOfOccupiedVoxels() + model->GetNumberOfBricks()),
     "bytes of the grid");
   check(model->GetNumberOfBytes(vtkVoxelLineModel::CurvePart) ==
-      4 * model->GetBrickCurves()->GetNumberOfTuples() +
-        16 * model->GetNumberOfCurves(),
+      4 * model->GetBrickCurves()->GetNumberOfTuples() + 16 * model->GetNumberOfCurves(),
     "bytes of the curves");
   vtkIdType sum = 0;
   for (int part = 0; part < vtkVoxelLineModel::NumberOfParts; ++part)
@@ -197,7 +196,8 @@ void TestCopies(Checks& check, vtkVoxelLineModel* model)
   shallow->ShallowCopy(model);
   vtkNew<vtkVoxelLineModel> deep;
   deep->DeepCopy(model);
-  const auto arraysOf = [](vtkVoxelLineModel* m) {
+  const auto arraysOf = [](vtkVoxelLineModel* m)
+  {
     return std::vector<vtkDataArray*>{ m->GetBrickGrid(), m->GetBricks(), m->GetVoxelStarts(),
       m->GetSegments(), m->GetCurveIdExtension(), m->GetBrickCurves(), m->GetCurveCells(),
       m->GetAttributes(), m->GetRadii() };
@@ -211,8 +211,8 @@ void TestCopies(Checks& check, vtkVoxelLineModel* model)
         arrays[i]->GetNumberOfValues() == copies[i]->GetNumberOfValues() &&
         arrays[i]->GetDataType() == copies[i]->GetDataType() &&
         std::memcmp(arrays[i]->GetVoidPointer(0), copies[i]->GetVoidPointer(0),
-          static_cast<std::size_t>(arrays[i]->GetNumberOfValues() * arrays[i]->GetDataTypeSize())) ==
-          0,
+          static_cast<std::size_t>(
+            arrays[i]->GetNumberOfValues() * arrays[i]->GetDataTypeSize())) == 0,
       "a deep copy has equal arrays of its own");
   }
   for (vtkVoxelLineModel* copy : { shallow.Get(), deep.Get() })

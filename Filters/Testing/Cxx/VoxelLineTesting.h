@@ -137,7 +137,8 @@ inline vtkSmartPointer<vtkPolyData> MakeLines(
 }
 
 /// Smooth curves through the unit cube, each of the given number of points: sums of three waves.
-inline std::vector<Curve> MakeSmoothCurves(int numberOfCurves, int numberOfPoints, unsigned seed = 1)
+inline std::vector<Curve> MakeSmoothCurves(
+  int numberOfCurves, int numberOfPoints, unsigned seed = 1)
 {
   std::mt19937 generator(seed);
   const auto uniform = [&generator]() { return generator() / 4294967296.0; };
@@ -231,9 +232,8 @@ inline std::vector<Segment> DecodeModel(vtkVoxelLineModel* model)
   const int bits = n > 0 ? static_cast<int>(std::lround(std::log2(n))) : 0;
   const int m = n > 0 ? static_cast<int>(std::cbrt(2.0 * n * n) + 1e-9) : 0;
   const std::uint32_t codeMask = n > 0 ? (1u << (2 * bits + 3)) - 1u : 0u;
-  const auto number = [](vtkDataArray* array, vtkIdType tuple, int component) {
-    return static_cast<std::uint32_t>(array->GetComponent(tuple, component));
-  };
+  const auto number = [](vtkDataArray* array, vtkIdType tuple, int component)
+  { return static_cast<std::uint32_t>(array->GetComponent(tuple, component)); };
   std::vector<vtkIdType> cellOf(static_cast<std::size_t>(numberOfBricks), -1);
   vtkDataArray* grid = model->GetBrickGrid();
   for (vtkIdType cell = 0; grid && cell < grid->GetNumberOfTuples(); ++cell)
@@ -332,8 +332,8 @@ inline vtkVoxelLineModel* Update(vtkLineVoxelizer* voxelizer, MessageObserver* o
 }
 
 /// Model of one line set; any error or warning is a failure.
-inline vtkSmartPointer<vtkVoxelLineModel> MakeModel(Checks& check, vtkPolyData* lines,
-  int resolution, int faceBins, double interiorTolerance = 0.1)
+inline vtkSmartPointer<vtkVoxelLineModel> MakeModel(
+  Checks& check, vtkPolyData* lines, int resolution, int faceBins, double interiorTolerance = 0.1)
 {
   vtkNew<vtkLineVoxelizer> voxelizer;
   voxelizer->SetInputData(lines);
@@ -348,9 +348,9 @@ inline vtkSmartPointer<vtkVoxelLineModel> MakeModel(Checks& check, vtkPolyData* 
 }
 
 /**
- * The segments of a curve in the order in which they hang together, found by their end points alone.
- * Empty where they are not one chain. A curve may pass a point several times, so that this takes
- * the trail that uses every segment once (Hierholzer). A closed chain begins in the point
+ * The segments of a curve in the order in which they hang together, found by their end points
+ * alone. Empty where they are not one chain. A curve may pass a point several times, so that this
+ * takes the trail that uses every segment once (Hierholzer). A closed chain begins in the point
  * nearest to the given grid-local one.
  */
 inline std::vector<Segment> Chain(
