@@ -132,6 +132,7 @@ void Benchmark::MakeInput()
   this->Input.Opacity = this->Options.Opacity;
   this->Input.Resolution = this->Options.Resolution;
   this->Input.FaceBins = this->Options.FaceBins;
+  this->Input.Peels = this->Options.Peels;
   vtkDataArray* scalars = this->Input.Lines->GetPointData()->GetScalars();
   if (scalars && scalars->GetNumberOfComponents() == 1)
   {

@@ -94,7 +94,6 @@ public:
     if (name == "peeling")
     {
       this->Renderer->SetUseDepthPeeling(true);
-      this->Renderer->SetMaximumNumberOfPeels(0);
       this->Renderer->SetOcclusionRatio(0.0);
     }
   }
@@ -104,6 +103,13 @@ public:
     if (this->Translucent && input.Opacity >= 1.0)
     {
       throw std::runtime_error("needs an opacity below 1");
+    }
+    if (this->Name == "peeling")
+    {
+      // vtkRenderer documents 0 as no limit, but vtkDualDepthPeelingPass then peels nothing and
+      // blends all tubes in the order of the cells.
+      this->Peels = input.Peels;
+      this->Renderer->SetMaximumNumberOfPeels(input.Peels > 0 ? input.Peels : VTK_INT_MAX);
     }
     this->Segments = CountLineSegments(input.Lines);
     if (!input.Tubes)
@@ -139,6 +145,10 @@ public:
     vtkCellArray* strips = this->Geometry->GetStrips();
     const long long triangles =
       strips->GetNumberOfConnectivityIds() - 2 * strips->GetNumberOfCells();
+    if (this->Peels > 0)
+    {
+      object.Add("peels", this->Peels);
+    }
     object.Add("gpu_bytes", points * (24 + (this->HasColors ? 4 : 0)) + triangles * 12);
     object.Add("segments", this->Segments);
   }
@@ -146,6 +156,7 @@ public:
 private:
   bool Translucent;
   bool HasColors = false;
+  int Peels = 0;
   long long Segments = 0;
   vtkSmartPointer<vtkPolyData> Geometry;
 };

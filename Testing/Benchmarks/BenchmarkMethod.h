@@ -40,6 +40,7 @@ struct BenchmarkInput
   double Opacity = 1.0;
   int Resolution = 256;
   int FaceBins = 32;
+  int Peels = 0; ///< 0: no limit
   /// Tubes, made by the first method that needs them, and the time that took.
   vtkSmartPointer<vtkPolyData> Tubes;
   double TubeMilliseconds = 0.0;

@@ -5,6 +5,8 @@
 #include "BenchmarkMethod.h"
 #include "Scenes.h"
 
+#include "vtkType.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -153,6 +155,7 @@ std::map<std::string, Setter> GetSetters()
     { "--threads", [](O& o, const S& v) { o.Threads = ToInt("--threads", v, 1, 1024); } },
     { "--resolution", [](O& o, const S& v) { o.Resolution = ToInt("--resolution", v, 1, 4096); } },
     { "--face-bins", [](O& o, const S& v) { o.FaceBins = ToFaceBins(v); } },
+    { "--peels", [](O& o, const S& v) { o.Peels = ToInt("--peels", v, 0, VTK_INT_MAX); } },
     { "--json", [](O& o, const S& v) { o.JsonFile = v; } },
     { "--image", [](O& o, const S& v) { o.ImagePrefix = v; } },
     { "--data", [](O& o, const S& v) { o.DataFolder = v; } },
@@ -261,6 +264,8 @@ SCENE or --scene SCENE   )"
                          object of its own
 --resolution N           voxels along the longest side of the bounds, for voxel (default 256)
 --face-bins N            bins along a voxel's edge, for voxel (default 32; 0 for exact points)
+--peels N                for peeling, at most N peels and the rest unsorted (default 0, no limit: a
+                         frame takes half as many passes over all tubes as there are layers)
 --radius R               of the tubes in units of the data (default: 1/1024 of the longest side
                          of the bounds, that is, a quarter voxel of 256)
 --opacity A              0 to 1 (default 1)
@@ -277,7 +282,7 @@ SCENE or --scene SCENE   )"
 --help                   this text
 
 Keys: scene lines vertices method engine width height opacity radius frames median_ms min_ms max_ms
-build_ms first_frame_ms model_bytes gpu_bytes segments rmse ssim rmse_decoded ratio_tubes
+build_ms first_frame_ms model_bytes gpu_bytes segments peels rmse ssim rmse_decoded ratio_tubes
 ratio_peeling renderer vtk threads error. Keys that do not apply are left out. Times are wall clock
 times of a frame until OpenGL has finished; build_ms is the time to make the model or the tubes,
 first_frame_ms that of the first frame after it, with uploads and shaders. gpu_bytes of tubes is

@@ -29,6 +29,7 @@ struct BenchmarkOptions
   int Threads = 0; ///< 0: all
   int Resolution = 256;
   int FaceBins = 32;
+  int Peels = 0; ///< 0: no limit
   bool Reference = false;
   bool DecodedReference = false;
   std::string JsonFile;
