@@ -13,7 +13,7 @@ from vtkmodules.vtkRenderingCore import (
 
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("file")
-parser.add_argument("--radius", type=float, help="in data units; default 0.001 of the diagonal")
+parser.add_argument("--radius", type=float, default=0.0, help="in data units; 0: by size")
 parser.add_argument("--opacity", type=float, default=1.0)
 parser.add_argument("--color-by", metavar="ARRAY", help="of points or cells; vectors by magnitude")
 parser.add_argument("--size", default="1024x768", metavar="WxH")
@@ -26,7 +26,7 @@ reader.Update()
 lines = reader.GetOutput()
 mapper = vtkVoxelLineMapper()
 mapper.SetInputData(lines)
-mapper.SetRadius(options.radius or 0.001 * lines.GetLength())
+mapper.SetRadius(options.radius)
 mapper.SetScalarVisibility(options.color_by is not None)
 if options.color_by:
     on_points = lines.GetPointData().HasArray(options.color_by)

@@ -5,8 +5,8 @@
  *
  *   RenderLines FILE [--radius R] [--opacity A] [--color-by ARRAY] [--size WxH] [--output PNG]
  *
- * FILE is anything VTK reads by itself (.vtp, .vtk, ...). The radius is in data units, by default a
- * thousandth of the diagonal of the data. Without --output an interactive window opens.
+ * FILE is anything VTK reads by itself (.vtp, .vtk, ...). The radius is in data units, by default
+ * 1/1024 of the longest side of the data. Without --output an interactive window opens.
  */
 
 #include "vtkVoxelLineMapper.h"
@@ -46,7 +46,7 @@ const char* const Usage = "usage: RenderLines FILE [--radius R] [--opacity A] [-
 struct Options
 {
   std::string File;
-  double Radius = 0.0; // 0: a thousandth of the diagonal
+  double Radius = 0.0; // the mapper's default
   double Opacity = 1.0;
   std::string ColorBy;
   int Size[2] = { 1024, 768 };
@@ -227,7 +227,7 @@ void Render(const Options& options)
   vtkSmartPointer<vtkPolyData> lines = ReadLines(options.File);
   vtkNew<vtkVoxelLineMapper> mapper;
   mapper->SetInputData(lines);
-  mapper->SetRadius(options.Radius > 0.0 ? options.Radius : 0.001 * lines->GetLength());
+  mapper->SetRadius(options.Radius);
   mapper->ScalarVisibilityOff();
   if (!options.ColorBy.empty())
   {
