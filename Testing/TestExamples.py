@@ -49,14 +49,13 @@ def pixels(picture):
     reader = vtkPNGReader()
     reader.SetFileName(str(picture))
     reader.Update()
-    scalars = reader.GetOutput().GetPointData().GetScalars()
-    size = reader.GetOutput().GetDimensions()[:2]
-    return size, [scalars.GetTuple3(i) for i in range(scalars.GetNumberOfTuples())]
+    data = bytes(memoryview(reader.GetOutput().GetPointData().GetScalars()))
+    return reader.GetOutput().GetDimensions()[:2], list(zip(data[0::3], data[1::3], data[2::3]))
 
 
 def covered(picture):
     """Which pixels are not background."""
-    return [color != (255.0, 255.0, 255.0) for color in pixels(picture)[1]]
+    return [color != (255, 255, 255) for color in pixels(picture)[1]]
 
 
 def refused(message, *arguments):
