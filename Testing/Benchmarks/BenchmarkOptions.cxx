@@ -190,7 +190,7 @@ void CheckTogether(BenchmarkOptions& options)
   if (options.Methods.empty())
   {
     options.Methods = options.Opacity < 1.0
-      ? std::vector<std::string>{ "voxel", "peeling", "oit" }
+      ? std::vector<std::string>{ "voxel", "oit" }
       : std::vector<std::string>{ "voxel", "tubes", "line-tubes" };
   }
 }
@@ -252,7 +252,7 @@ SCENE or --scene SCENE   )"
 --lines N --vertices N   size of a named scene, in place of its own
 --methods LIST           of )"
       << Join(GetMethodNames()) << R"(, separated by commas
-                         (default voxel,tubes,line-tubes; below opacity 1 voxel,peeling,oit)
+                         (default voxel,tubes,line-tubes; below opacity 1 voxel,oit)
   voxel                  vtkVoxelLineMapper
   tubes                  vtkTubeFilter with 8 sides, back faces culled; translucent tubes are
                          drawn as VTK does by default
@@ -264,8 +264,10 @@ SCENE or --scene SCENE   )"
                          object of its own
 --resolution N           voxels along the longest side of the bounds, for voxel (default 256)
 --face-bins N            bins along a voxel's edge, for voxel (default 32; 0 for exact points)
---peels N                for peeling, at most N peels and the rest unsorted (default 0, no limit: a
-                         frame takes half as many passes over all tubes as there are layers)
+--peels N                for peeling, at most N peels and the rest unsorted (default 0: no limit, which
+                         takes half as many passes over all tubes as there are layers, and hence
+                         minutes to hours for a frame of the large scenes on a processor; with
+                         a limit ratio_peeling is a lower bound)
 --radius R               of the tubes in units of the data (default: 1/1024 of the longest side
                          of the bounds, that is, a quarter voxel of 256)
 --opacity A              0 to 1 (default 1)
