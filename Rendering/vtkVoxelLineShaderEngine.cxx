@@ -340,6 +340,8 @@ void vtkVoxelLineShaderEngine::Internals::SetUniforms(
       program->SetUniform3f(name, &value[0]);
     }
   };
+  const float pictureSize[2] = { static_cast<float>(frame.Width), static_cast<float>(frame.Height) };
+  program->SetUniform2f("PictureSize", pictureSize);
   program->SetUniform3fv("RayOrigins", 3, &frame.Origin[0][0]);
   program->SetUniform3fv("RayDirections", 3, &frame.Direction[0][0]);
   set1("NearestS", frame.NearestS);

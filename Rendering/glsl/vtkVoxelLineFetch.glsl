@@ -15,6 +15,7 @@ const float Beyond = 1e30;
 
 //LineSets::Constants
 
+uniform vec2 PictureSize;
 uniform vec3 RayOrigins[3];
 uniform vec3 RayDirections[3];
 uniform float NearestS;

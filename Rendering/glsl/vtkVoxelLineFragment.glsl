@@ -4,11 +4,13 @@
 // Main function of the ray casting shader: colour (not multiplied by opacity) to the first target;
 // depth, and whether an exit had to be forgotten, to the second one.
 
+in vec2 texCoord;
+
 void main()
 {
   GridDimensions = ivec3(GridSize + vec3(0.5));
   BrickDimensions = ivec3(BrickGridSize + vec3(0.5));
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = ivec2(texCoord * PictureSize);
   float sceneDepth = HasScene ? texelFetch(SceneDepth, pixel, 0).r : 1.0;
   vec4 color;
   float depth;

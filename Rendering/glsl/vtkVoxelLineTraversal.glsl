@@ -38,9 +38,30 @@ vec3 RayDirection;
 Real RayStart;
 Real RayEnd;
 Real RayLimit; // RayEnd before opaque hits shortened it
-int AxisU; // the two minor axes, U before V, and the major one, along which the slabs lie
+// The two minor axes, U before V, and the major one, along which the slabs lie.
+int AxisU;
 int AxisV;
 int AxisW;
+// Distance per unit of w, and u and v as functions of w: u = BaseU + SlopeU w.
+Real PerW;
+Real BaseU;
+Real BaseV;
+Real SlopeU;
+Real SlopeV;
+// The ray's way over a widened slab k, widened by the radius: [LowU, HighU] + SlopeU k.
+Real LowU;
+Real HighU;
+Real LowV;
+Real HighV;
+// How far the way over a widened slab reaches from its middle, to either side.
+Real ReachU;
+Real ReachV;
+// Size of the grid along the axes, and steps between brick cells.
+int SizeU;
+int SizeV;
+int StrideU;
+int StrideV;
+int StrideW;
 
 // Hits that were found and not blended yet.
 int HitCount;
@@ -174,7 +195,7 @@ vec4 segmentColor(uint segment, Real parameter)
 // and to their voxel: near it, numbers are small, so that single precision suffices.
 Real middleOfSlab(int slab)
 {
-  return (Real(slab) + Real(0.5) - RayOrigin[AxisW]) / RayDirection[AxisW];
+  return (Real(slab) + Real(0.5) - RayOrigin[AxisW]) * PerW;
 }
 
 bool isBefore(Real entry0, uint segment0, Real entry1, uint segment1)
@@ -473,12 +494,14 @@ uint sliceOfBrick(uvec4 record, int layer)
   return ((low | (low >> 12u)) & 0xffu) | (((high | (high >> 12u)) & 0xffu) << 8u);
 }
 
-// Visits an occupied voxel, unless it lies too far from the ray; p is the ray's point at distance t.
-void visitVoxel(ivec3 voxel, int brick, uvec4 record, vec3 p, Real t)
+// Visits an occupied voxel of a slab, unless it lies too far from the ray.
+void visitVoxel(int u, int v, int slab, int brick, uvec4 record)
 {
   // A voxel farther from the ray than this, centre to line, holds nothing that reaches the ray.
   Real reach = Radius + Real(0.8661);
-  vec3 local = p - vec3(voxel);
+  ivec3 voxel = AxisW == 0 ? ivec3(slab, u, v) : (AxisW == 1 ? ivec3(u, slab, v) : ivec3(u, v, slab));
+  Real t = middleOfSlab(slab);
+  vec3 local = RayOrigin + RayDirection * t - vec3(voxel);
   vec3 toCenter = vec3(Real(0.5)) - local;
   Real along = dot(toCenter, RayDirection);
   if (dot(toCenter, toCenter) - along * along > reach * reach)
@@ -498,34 +521,23 @@ void visitVoxel(ivec3 voxel, int brick, uvec4 record, vec3 p, Real t)
   }
 }
 
-// Visits the voxels of a slab that lie within the radius of the ray between two distances. Returns
-// whether any brick there holds segments.
-bool visitSlab(int slab, Real from, Real to)
+// Visits the voxels of a slab that lie within the radius of the ray's way over the widened slab.
+// Returns whether any brick there holds segments.
+bool visitSlab(int slab)
 {
-  Real u0 = RayOrigin[AxisU] + RayDirection[AxisU] * from;
-  Real u1 = RayOrigin[AxisU] + RayDirection[AxisU] * to;
-  Real v0 = RayOrigin[AxisV] + RayDirection[AxisV] * from;
-  Real v1 = RayOrigin[AxisV] + RayDirection[AxisV] * to;
   // Truncation serves as floor for what lies in the grid: what lies before it becomes its first row.
-  int uFirst = int(max(min(u0, u1) - Radius, Real(0)));
-  int uLast = min(int(max(u0, u1) + Radius + Real(1)) - 1, GridDimensions[AxisU] - 1);
-  int vFirst = int(max(min(v0, v1) - Radius, Real(0)));
-  int vLast = min(int(max(v0, v1) + Radius + Real(1)) - 1, GridDimensions[AxisV] - 1);
+  Real at = Real(slab);
+  int uFirst = int(max(LowU + SlopeU * at, Real(0)));
+  int uLast = min(int(HighU + SlopeU * at + Real(1)), SizeU) - 1;
+  int vFirst = int(max(LowV + SlopeV * at, Real(0)));
+  int vLast = min(int(HighV + SlopeV * at + Real(1)), SizeV) - 1;
 
-  Real t = middleOfSlab(slab);
-  vec3 p = RayOrigin + RayDirection * t;
-  ivec3 voxel;
-  voxel[AxisW] = slab;
-  ivec3 cell;
-  cell[AxisW] = slab >> 2;
   bool any = false;
   for (int cellV = vFirst >> 2; cellV <= (vLast >> 2); ++cellV)
   {
     for (int cellU = uFirst >> 2; cellU <= (uLast >> 2); ++cellU)
     {
-      cell[AxisU] = cellU;
-      cell[AxisV] = cellV;
-      int brick = fetchBrickGrid((cell.z * BrickDimensions.y + cell.y) * BrickDimensions.x + cell.x);
+      int brick = fetchBrickGrid(cellU * StrideU + cellV * StrideV + (slab >> 2) * StrideW);
       if (brick < 0)
       {
         continue;
@@ -537,60 +549,85 @@ bool visitSlab(int slab, Real from, Real to)
       int uHigh = min(uLast - 4 * cellU, 3);
       int vLow = max(vFirst - 4 * cellV, 0);
       int vHigh = min(vLast - 4 * cellV, 3);
-      uint row = ((1u << uint(uHigh - uLow + 1)) - 1u) << uint(uLow);
-      uint rows = (((1u << uint(4 * (vHigh - vLow + 1))) - 1u) & 0x1111u) << uint(4 * vLow);
+      uint row = (2u << uint(uHigh)) - (1u << uint(uLow));
+      uint rows = 0x1111u & ((16u << uint(4 * vHigh)) - (1u << uint(4 * vLow)));
       uint occupied = sliceOfBrick(record, slab & 3) & (row * rows);
       while (occupied != 0u)
       {
         uint rest = occupied & (occupied - 1u);
         int bit = countBits((occupied ^ rest) - 1u);
         occupied = rest;
-        voxel[AxisU] = 4 * cellU + (bit & 3);
-        voxel[AxisV] = 4 * cellV + (bit >> 2);
-        visitVoxel(voxel, brick, record, p, t);
+        visitVoxel(4 * cellU + (bit & 3), 4 * cellV + (bit >> 2), slab, brick, record);
       }
     }
   }
   return any;
 }
 
-// Number of slabs, from this one on, in which the widened ray meets only empty bricks; the brick
+// Number of slabs in which u stays between the limits, when it goes by step from slab to slab.
+Real countSlabsWithin(Real u, Real step, Real lowest, Real highest)
+{
+  if (u < lowest || u > highest)
+  {
+    return Real(0);
+  }
+  return Real(1) + (step > Real(0) ? highest - u : u - lowest) / max(abs(step), Real(1e-6));
+}
+
+// Number of slabs, from this one on, in which the widened ray meets only empty bricks: the brick
 // grid tells how far the next brick is from the one in which the ray is in the slab's middle.
 int countEmptySlabs(int slab, int way)
 {
-  vec3 p = RayOrigin + RayDirection * middleOfSlab(slab);
-  ivec3 cell = clamp(ivec3(floor(p * Real(0.25))), ivec3(0), BrickDimensions - ivec3(1));
-  int distance =
-    -fetchBrickGrid((cell.z * BrickDimensions.y + cell.y) * BrickDimensions.x + cell.x);
+  Real u = BaseU + SlopeU * (Real(slab) + Real(0.5));
+  Real v = BaseV + SlopeV * (Real(slab) + Real(0.5));
+  int cellU = min(int(max(u, Real(0))), SizeU - 1) >> 2;
+  int cellV = min(int(max(v, Real(0))), SizeV - 1) >> 2;
+  int cellW = slab >> 2;
+  int distance = -fetchBrickGrid(cellU * StrideU + cellV * StrideV + cellW * StrideW);
   if (distance <= 0)
   {
     return 0;
   }
   // The empty box around the cell; beyond the grid all is empty.
-  ivec3 low = (cell - ivec3(distance - 1)) * 4;
-  ivec3 high = (cell + ivec3(distance)) * 4;
-  Real perSlab = Real(1) / abs(RayDirection[AxisW]);
-  int count = way > 0 ? high[AxisW] - slab : slab - low[AxisW] + 1;
-  if (way > 0 ? high[AxisW] >= GridDimensions[AxisW] : low[AxisW] <= 0)
-  {
-    count = GridDimensions[AxisW];
-  }
-  for (int i = 0; i < 2; ++i)
-  {
-    int axis = i == 0 ? AxisU : AxisV;
-    Real step = RayDirection[axis] * perSlab;
-    Real reach = (Real(0.5) + Radius) * abs(step) + Radius;
-    Real lowest = low[axis] <= 0 ? -Beyond : Real(low[axis]) + reach;
-    Real highest = high[axis] >= GridDimensions[axis] ? Beyond : Real(high[axis]) - reach;
-    if (p[axis] < lowest || p[axis] > highest)
-    {
-      return 0;
-    }
-    Real room = step > Real(0) ? highest - p[axis] : p[axis] - lowest;
-    Real slabs = room / max(abs(step), Real(1e-9));
-    count = slabs < Real(count) ? min(count, int(slabs) + 1) : count;
-  }
-  return count;
+  int reach = 4 * (distance - 1);
+  int low = 4 * cellU - reach;
+  int high = 4 * cellU + 4 + reach;
+  Real slabs = countSlabsWithin(u, way > 0 ? SlopeU : -SlopeU, low <= 0 ? -Beyond : Real(low) + ReachU,
+    high >= SizeU ? Beyond : Real(high) - ReachU);
+  low = 4 * cellV - reach;
+  high = 4 * cellV + 4 + reach;
+  slabs = min(slabs,
+    countSlabsWithin(v, way > 0 ? SlopeV : -SlopeV, low <= 0 ? -Beyond : Real(low) + ReachV,
+      high >= SizeV ? Beyond : Real(high) - ReachV));
+  int count = way > 0 ? 4 * cellW + 4 + reach - slab : slab - 4 * cellW + reach + 1;
+  return slabs < Real(count) ? int(slabs) : count;
+}
+
+// Chooses the axes of a ray and prepares what the slabs share.
+void prepareSlabs()
+{
+  vec3 size = abs(RayDirection);
+  AxisW = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+  AxisU = AxisW == 0 ? 1 : 0;
+  AxisV = AxisW == 2 ? 1 : 2;
+  Real o = RayOrigin[AxisW];
+  PerW = Real(1) / RayDirection[AxisW];
+  SlopeU = RayDirection[AxisU] * PerW;
+  SlopeV = RayDirection[AxisV] * PerW;
+  BaseU = RayOrigin[AxisU] - o * SlopeU;
+  BaseV = RayOrigin[AxisV] - o * SlopeV;
+  LowU = BaseU + min(-Radius * SlopeU, (Real(1) + Radius) * SlopeU) - Radius;
+  HighU = BaseU + max(-Radius * SlopeU, (Real(1) + Radius) * SlopeU) + Radius;
+  LowV = BaseV + min(-Radius * SlopeV, (Real(1) + Radius) * SlopeV) - Radius;
+  HighV = BaseV + max(-Radius * SlopeV, (Real(1) + Radius) * SlopeV) + Radius;
+  ReachU = (Real(0.5) + Radius) * abs(SlopeU) + Radius;
+  ReachV = (Real(0.5) + Radius) * abs(SlopeV) + Radius;
+  SizeU = GridDimensions[AxisU];
+  SizeV = GridDimensions[AxisV];
+  ivec3 strides = ivec3(1, BrickDimensions.x, BrickDimensions.x * BrickDimensions.y);
+  StrideU = strides[AxisU];
+  StrideV = strides[AxisV];
+  StrideW = strides[AxisW];
 }
 
 // Narrows an interval of the ray to the grid, widened by the radius.
@@ -649,11 +686,7 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
   }
 
   beginRay();
-  vec3 size = abs(direction);
-  AxisW = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-  AxisU = AxisW == 0 ? 1 : 0;
-  AxisV = AxisW == 2 ? 1 : 2;
-
+  prepareSlabs();
   int slabs = GridDimensions[AxisW];
   int way = direction[AxisW] > Real(0) ? 1 : -1;
   Real widening = Real(way) * Radius;
@@ -662,7 +695,6 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
   int firstSlab = clamp(int(floor(atStart)), 0, slabs - 1);
   int lastSlab = clamp(int(floor(atEnd)), 0, slabs - 1);
   int resumeEnd = firstSlab;
-  Real perUnit = Real(1) / direction[AxisW];
 
   bool mayBeEmpty = true;
   int slab = firstSlab;
@@ -672,8 +704,9 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
     // Hits of this slab and later ones begin behind this distance.
     Real from = past
       ? Beyond
-      : (Real(way > 0 ? slab : slab + 1) - widening - origin[AxisW]) * perUnit;
-    if (!blendHits(from))
+      : (Real(way > 0 ? slab : slab + 1) - widening - origin[AxisW]) * PerW;
+    bool waiting = HitCount > 0 || InsideCount > 0;
+    if (waiting && !blendHits(from))
     {
       Real back = origin[AxisW] + direction[AxisW] * OverflowEntry - widening;
       resumeEnd = slab;
@@ -708,8 +741,7 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
       Resuming = false;
     }
     Shortening = AllOpaque && from >= RayStart;
-    Real to = (Real(way > 0 ? slab + 1 : slab) + widening - origin[AxisW]) * perUnit;
-    mayBeEmpty = !visitSlab(slab, from, to);
+    mayBeEmpty = !visitSlab(slab);
     slab += way;
   }
 }
