@@ -60,7 +60,7 @@ public:
   // What has been said, so that it is said once.
   std::string LastError;
   std::string LastColorWarning;
-  std::set<std::pair<vtkMTimeType, char>> Warned;
+  std::set<std::pair<vtkMTimeType, int>> Warned;
 
   bool HasTranslucentColors()
   {
@@ -430,12 +430,15 @@ void vtkVoxelLineMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   scene.Input = this->Internals->Input;
   scene.Radius = this->GetRadiusInUse();
   scene.TranslucentColors = this->Internals->HasTranslucentColors();
-  std::string warning;
-  this->ErrorOnce(this->Internals->Painter.Draw(scene, renderer, actor, warning));
-  if (!warning.empty() &&
-    this->Internals->Warned.emplace(model->GetMTime(), warning.front()).second)
+  vtkVoxelLinePainter::Warnings warnings;
+  this->ErrorOnce(this->Internals->Painter.Draw(scene, renderer, actor, warnings));
+  for (const auto& [kind, text] : warnings)
   {
-    vtkWarningMacro(<< warning);
+    // Once for each model.
+    if (this->Internals->Warned.emplace(model->GetMTime(), kind).second)
+    {
+      vtkWarningMacro(<< text);
+    }
   }
   this->EngineInUse = this->Internals->Painter.GetEngineInUse();
   this->TimeToDraw = this->Internals->Painter.GetSeconds();

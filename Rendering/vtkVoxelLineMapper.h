@@ -194,6 +194,9 @@ public:
   /// top.
   bool HasTranslucentPolygonalGeometry() override;
 
+  /// Selection works as the class description tells.
+  bool GetSupportsSelection() override { return true; }
+
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
 

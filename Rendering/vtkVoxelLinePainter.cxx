@@ -52,7 +52,10 @@ bool IsSoftwareRenderer(std::string name)
 vtkVoxelLinePainter::vtkVoxelLinePainter() = default;
 
 //------------------------------------------------------------------------------
-vtkVoxelLinePainter::~vtkVoxelLinePainter() = default;
+vtkVoxelLinePainter::~vtkVoxelLinePainter()
+{
+  this->ReleaseTimer();
+}
 
 //------------------------------------------------------------------------------
 bool vtkVoxelLinePainter::Cached::IsSame(const Cached& other) const
@@ -89,7 +92,7 @@ vtkVoxelLineFrameBuilder::Grid vtkVoxelLinePainter::GetGrid(const Scene& scene)
 
 //------------------------------------------------------------------------------
 std::string vtkVoxelLinePainter::Draw(
-  const Scene& scene, vtkRenderer* renderer, vtkActor* actor, std::string& warning)
+  const Scene& scene, vtkRenderer* renderer, vtkActor* actor, Warnings& warnings)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
@@ -107,8 +110,8 @@ std::string vtkVoxelLinePainter::Draw(
   if (viewport[2] > 0 && viewport[3] > 0 && size[0] > 0 && size[1] > 0)
   {
     error = renderer->GetSelector()
-      ? this->DrawSelection(scene, renderer, actor, window, viewport, warning)
-      : this->DrawPicture(scene, renderer, actor, window, viewport, warning);
+      ? this->DrawSelection(scene, renderer, actor, window, viewport, warnings)
+      : this->DrawPicture(scene, renderer, actor, window, viewport, warnings);
   }
   // Never 0, which VTK takes for "not drawn yet".
   this->Seconds = std::max(vtkTimerLog::GetUniversalTime() - start, 1e-4);
@@ -122,7 +125,7 @@ std::string vtkVoxelLinePainter::Draw(
 
 //------------------------------------------------------------------------------
 std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* renderer,
-  vtkActor* actor, vtkOpenGLRenderWindow* window, const int viewport[4], std::string& warning)
+  vtkActor* actor, vtkOpenGLRenderWindow* window, const int viewport[4], Warnings& warnings)
 {
   Cached wanted;
   wanted.Valid = true;
@@ -153,7 +156,7 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
 
   if (!this->Last.IsSame(wanted))
   {
-    error = this->CastPicture(scene, renderer, window, viewport, wanted, warning);
+    error = this->CastPicture(scene, renderer, window, viewport, wanted, warnings);
     if (!error.empty())
     {
       this->Last.Valid = false;
@@ -166,7 +169,7 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
 
 //------------------------------------------------------------------------------
 std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkRenderer* renderer,
-  vtkOpenGLRenderWindow* window, const int viewport[4], Cached& wanted, std::string& warning)
+  vtkOpenGLRenderWindow* window, const int viewport[4], Cached& wanted, Warnings& warnings)
 {
   vtkVoxelLineFrame& frame = wanted.Frame;
   ++this->NumberOfPictures;
@@ -184,8 +187,8 @@ std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkRenderer* re
     renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
     vtkLineSetsSceneDepth::GetReadOrigin(window, viewport, origin, readOrigin);
   }
-  const char* noDepth = "the depth of the scene cannot be read from the framebuffer; lines behind "
-                        "opaque actors may shine through translucent ones";
+  const char* noDepth = "The depth of the scene cannot be read from the framebuffer; translucent "
+                        "lines in front of opaque actors may hide them too much.";
 
   if (wanted.Engine == vtkVoxelLineMapper::Shader)
   {
@@ -193,7 +196,13 @@ std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkRenderer* re
       opaque ? nullptr : this->SceneDepth.Copy(window, readOrigin, frame.Width, frame.Height);
     if (!opaque && !depth)
     {
-      warning = noDepth;
+      warnings[NoSceneDepth] = noDepth;
+    }
+    if (this->TimerWindow != window)
+    {
+      this->ReleaseTimer();
+      window->MakeCurrent();
+      this->TimerWindow = window;
     }
     this->Timer.ReusableStart();
     const bool done = this->ShaderEngine.Render(window, scene.Model, frame, depth);
@@ -211,16 +220,16 @@ std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkRenderer* re
   if (!opaque &&
     !this->SceneDepth.Read(window, readOrigin, frame.Width, frame.Height, frame.SceneDepth))
   {
-    warning = noDepth;
+    warnings[NoSceneDepth] = noDepth;
   }
   vtkVoxelLineNativeEngine::Render(scene.Model, frame, this->Picture);
   // Read by nobody any more, and large.
   frame.SceneDepth = std::vector<float>();
   if (this->Picture.NumberOfOverflows > 0)
   {
-    warning = "in " + std::to_string(this->Picture.NumberOfOverflows) +
+    warnings[OverlappingCurves] = "In " + std::to_string(this->Picture.NumberOfOverflows) +
       " pixels more lines overlap than can be told apart, so that some may be blended twice at a "
-      "joint; a smaller radius or a higher resolution avoids it";
+      "joint; a smaller radius or a higher resolution avoids it.";
   }
   return this->Layer.SetPicture(window, frame.Width, frame.Height, this->Picture.Color.data(),
            this->Picture.Depth.data())
@@ -230,12 +239,13 @@ std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkRenderer* re
 
 //------------------------------------------------------------------------------
 std::string vtkVoxelLinePainter::DrawSelection(const Scene& scene, vtkRenderer* renderer,
-  vtkActor* actor, vtkOpenGLRenderWindow* window, const int viewport[4], std::string& warning)
+  vtkActor* actor, vtkOpenGLRenderWindow* window, const int viewport[4], Warnings& warnings)
 {
   vtkHardwareSelector* selector = renderer->GetSelector();
   if (selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS && !scene.Input)
   {
-    warning = "points cannot be selected in a model, which does not know them; select cells";
+    warnings[NoPoints] =
+      "Points cannot be selected in a model, which does not know them; select cells.";
     return {};
   }
 
@@ -329,5 +339,18 @@ void vtkVoxelLinePainter::ReleaseGraphicsResources(vtkWindow* window)
   this->Layer.ReleaseGraphicsResources(window);
   this->SceneDepth.ReleaseGraphicsResources(window);
   this->ShaderEngine.ReleaseGraphicsResources(window);
-  this->Timer.ReleaseGraphicsResources();
+  this->ReleaseTimer();
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLinePainter::ReleaseTimer()
+{
+  // Its queries belong to the context of the window in which they were made.
+  if (this->TimerWindow)
+  {
+    this->TimerWindow->PushContext();
+    this->Timer.ReleaseGraphicsResources();
+    this->TimerWindow->PopContext();
+    this->TimerWindow = nullptr;
+  }
 }

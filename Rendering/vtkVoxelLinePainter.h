@@ -21,14 +21,16 @@
 #include "vtkVoxelLineShaderEngine.h"
 
 #include "vtkOpenGLRenderTimer.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkWeakPointer.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 class vtkActor;
 class vtkHardwareSelector;
-class vtkOpenGLRenderWindow;
 class vtkPolyData;
 class vtkRenderer;
 class vtkVoxelLineMapper;
@@ -54,12 +56,20 @@ public:
     bool TranslucentColors = false;
   };
 
+  /// What may be not quite right in what was drawn.
+  enum WarningKind
+  {
+    NoSceneDepth,      ///< the depth of the scene cannot be read
+    OverlappingCurves, ///< the engine could not tell all curves in a pixel apart
+    NoPoints           ///< points were to be selected in a model
+  };
+  using Warnings = std::map<WarningKind, std::string>;
+
   /**
-   * Draw into the active pass. Returns an empty string, or else why nothing was drawn; warning is
-   * set where something was drawn that is not quite right.
+   * Draw into the active pass. Returns an empty string, or else why nothing was drawn; warnings are
+   * added where something was drawn that is not quite right.
    */
-  std::string Draw(
-    const Scene& scene, vtkRenderer* renderer, vtkActor* actor, std::string& warning);
+  std::string Draw(const Scene& scene, vtkRenderer* renderer, vtkActor* actor, Warnings& warnings);
 
   /// vtkVoxelLineMapper::EngineType that would cast rays in a window.
   static int ChooseEngine(int engine, vtkOpenGLRenderWindow* window);
@@ -97,13 +107,14 @@ private:
     bool IsSame(const Cached& other) const;
   };
 
+  void ReleaseTimer();
   static vtkVoxelLineFrameBuilder::Grid GetGrid(const Scene& scene);
   std::string DrawPicture(const Scene& scene, vtkRenderer* renderer, vtkActor* actor,
-    vtkOpenGLRenderWindow* window, const int viewport[4], std::string& warning);
+    vtkOpenGLRenderWindow* window, const int viewport[4], Warnings& warnings);
   std::string CastPicture(const Scene& scene, vtkRenderer* renderer, vtkOpenGLRenderWindow* window,
-    const int viewport[4], Cached& wanted, std::string& warning);
+    const int viewport[4], Cached& wanted, Warnings& warnings);
   std::string DrawSelection(const Scene& scene, vtkRenderer* renderer, vtkActor* actor,
-    vtkOpenGLRenderWindow* window, const int viewport[4], std::string& warning);
+    vtkOpenGLRenderWindow* window, const int viewport[4], Warnings& warnings);
   std::string DrawNumbers(const Scene& scene, vtkHardwareSelector* selector, vtkActor* actor,
     vtkOpenGLRenderWindow* window, const int viewport[4],
     const vtkVoxelLineFrameBuilder::View& view);
@@ -113,6 +124,7 @@ private:
   vtkLineSetsFrameCounter Frames;
   vtkVoxelLineShaderEngine ShaderEngine;
   vtkOpenGLRenderTimer Timer;
+  vtkWeakPointer<vtkOpenGLRenderWindow> TimerWindow;
 
   Cached Last;
   Cached LastPick;

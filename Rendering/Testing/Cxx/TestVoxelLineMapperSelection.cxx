@@ -205,7 +205,7 @@ void CheckSharedModel(Checks& check, Messages* messages)
   check(click.Ids == std::set<vtkIdType>{ 0 } && click.CompositeIndex == 2, "the second input");
   check(messages->IsQuiet(), "nothing said so far");
   check(Select(stage, Points, 150, 120, 150, 120).NumberOfNodes == 0, "no points in a model");
-  check(messages->TakeWarnings("points cannot be selected") == 1, "one warning about points");
+  check(messages->TakeWarnings("Points cannot be selected") == 1, "one warning about points");
 }
 }
 
