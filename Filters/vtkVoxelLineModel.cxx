@@ -298,6 +298,14 @@ unsigned long vtkVoxelLineModel::GetActualMemorySize()
 //------------------------------------------------------------------------------
 void vtkVoxelLineModel::GetSegmentPoints(vtkIdType segment, double start[3], double end[3]) const
 {
+  if (segment < 0 || segment >= this->GetNumberOfSegments())
+  {
+    vtkErrorMacro("Segment " << segment << " is outside the " << this->GetNumberOfSegments()
+                             << " segments of the model.");
+    std::fill_n(start, 3, 0.0);
+    std::fill_n(end, 3, 0.0);
+    return;
+  }
   const vtkVoxelLineEncoding::Codec codec(this->FaceBins);
   if (codec.Encoding == Exact)
   {
@@ -314,6 +322,15 @@ void vtkVoxelLineModel::GetSegmentPoints(vtkIdType segment, double start[3], dou
 //------------------------------------------------------------------------------
 vtkIdType vtkVoxelLineModel::GetSegmentCurve(vtkIdType brick, vtkIdType segment) const
 {
+  const vtkIdType numberOfBricks = this->GetNumberOfBricks();
+  const std::uint32_t* row =
+    brick >= 0 && brick < numberOfBricks ? WordsOf(this->Bricks) + 5 * brick : nullptr;
+  if (!row || segment < row[2] || segment >= row[5 + 2])
+  {
+    vtkErrorMacro("Brick " << brick << " of " << numberOfBricks << " does not have the segment "
+                           << segment << ".");
+    return -1;
+  }
   const vtkVoxelLineEncoding::Codec codec(this->FaceBins);
   vtkIdType local = 0;
   if (codec.Encoding != Exact)
@@ -325,7 +342,6 @@ vtkIdType vtkVoxelLineModel::GetSegmentCurve(vtkIdType brick, vtkIdType segment)
     local |= static_cast<vtkIdType>(this->CurveIdExtension->GetComponent(segment, 0))
       << codec.CurveBits;
   }
-  const std::uint32_t* row = WordsOf(this->Bricks) + 5 * brick;
   return WordsOf(this->BrickCurves)[row[4] + local];
 }
 

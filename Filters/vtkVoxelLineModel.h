@@ -282,11 +282,15 @@ public:
 
   /**
    * Decode the end points of a segment in voxel-local coordinates [0,1]. For tests, filters and
-   * users; the ray casters decode by themselves.
+   * users; the ray casters decode by themselves. An error is told, and the points are 0, where
+   * there is no such segment.
    */
   void GetSegmentPoints(vtkIdType segment, double start[3], double end[3]) const;
 
-  /// Index of the curve that a segment of the given brick belongs to.
+  /**
+   * Index of the curve that a segment of the given brick belongs to. An error is told, and it is
+   * -1, where the brick has no such segment.
+   */
   vtkIdType GetSegmentCurve(vtkIdType brick, vtkIdType segment) const;
 
 protected:

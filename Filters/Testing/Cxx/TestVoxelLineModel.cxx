@@ -230,6 +230,26 @@ void TestCopies(Checks& check, vtkVoxelLineModel* model)
     "an initialized model is empty");
   check(model->GetNumberOfSegments() > 0, "and the other one is not");
 
+  // Segments and bricks that do not exist.
+  vtkNew<MessageObserver> observer;
+  model->AddObserver(vtkCommand::ErrorEvent, observer);
+  const vtkIdType size = model->GetNumberOfSegments();
+  double start[3] = { 1.0, 1.0, 1.0 };
+  double end[3] = { 1.0, 1.0, 1.0 };
+  for (vtkIdType segment : { vtkIdType(-1), size })
+  {
+    model->GetSegmentPoints(segment, start, end);
+    check(start[0] == 0.0 && end[2] == 0.0, "no points for a segment that does not exist");
+    check(model->GetSegmentCurve(0, segment) == -1 &&
+        model->GetSegmentCurve(model->GetNumberOfBricks() - 1, segment) == -1,
+      "no curve for a segment that does not exist");
+  }
+  check(model->GetSegmentCurve(-1, 0) == -1 &&
+      model->GetSegmentCurve(model->GetNumberOfBricks(), size - 1) == -1,
+    "no curve for a brick that does not exist");
+  check(observer->NumberOfErrors == 8, "each is told");
+  model->RemoveObserver(observer);
+
   vtkMTimeType time = model->GetMTime();
   model->SetSegments(model->GetSegments());
   check(model->GetMTime() == time, "the same array changes nothing");
@@ -274,6 +294,14 @@ int TestVoxelLineModel(int, char*[])
       TestMemory(check, voxelizer->GetOutput());
     }
   }
+  // Far apart along one axis: distances up to the clamp.
+  vtkSmartPointer<vtkVoxelLineModel> sparse = MakeModel(check,
+    MakeLines({ { { 0.0, 0.0, 0.0 }, { 0.001, 0.01, 0.01 } },
+      { { 1.0, 0.005, 0.0 }, { 0.999, 0.01, 0.01 } } }),
+    2000, 32);
+  TestStructure(check, sparse);
+  check(sparse->GetBrickGrid()->GetRange()[0] == -127.0, "distances are clamped at 127");
+
   voxelizer->SetFaceBins(32);
   voxelizer->SetResolution(9);
   voxelizer->Update();
