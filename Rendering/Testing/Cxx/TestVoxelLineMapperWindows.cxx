@@ -37,12 +37,12 @@ void SetCamera(vtkRenderer* renderer)
   camera->SetClippingRange(2.0, 10.0);
 }
 
-// The picture of the lines alone in a window of this size.
-Picture DrawAlone(vtkPolyData* lines, int width, int height, double opacity)
+// The picture of the lines, and of a sphere, alone in a window of this size.
+Picture DrawAlone(vtkPolyData* lines, int width, int height, double opacity, bool withSphere = true)
 {
   Stage stage(width, height);
   stage.Add(MakeMapper(lines), opacity);
-  stage.AddSphere(0.5, 0.3, 0.2, 0.4);
+  stage.AddSphere(0.5, 0.3, 0.2, 0.4)->SetVisibility(withSphere);
   SetCamera(stage.Renderer);
   return stage.Render();
 }
@@ -85,22 +85,25 @@ void CheckViewports(Checks& check, vtkPolyData* lines, double opacity, bool peel
     renderer->AddActor(actor);
     Stage other;
     auto sphere = other.AddSphere(0.5, 0.3, 0.2, 0.4);
+    // Only on the right: what one viewport holds must not cut the rays of the other.
+    sphere->SetVisibility(renderer == right);
     renderer->AddActor(sphere);
     renderer->SetUseDepthPeeling(peeling);
     SetCamera(renderer);
   }
   stage.Window->Render();
   const Picture both = stage.Render();
-  const Picture alone = DrawAlone(lines, 150, 150, opacity);
-  check(GetCoverage(alone, Background) > 0.1, "something is seen");
-  CheckSame(check, Cut(both, 0, 0, 150, 150), alone, "the left viewport");
-  CheckSame(check, Cut(both, 150, 0, 150, 150), alone, "the right viewport");
+  const Picture leftAlone = DrawAlone(lines, 150, 150, opacity, false);
+  const Picture rightAlone = DrawAlone(lines, 150, 150, opacity);
+  check(GetCoverage(leftAlone, Background) > 0.1, "something is seen");
+  CheckSame(check, Cut(both, 0, 0, 150, 150), leftAlone, "the left viewport");
+  CheckSame(check, Cut(both, 150, 0, 150, 150), rightAlone, "the right viewport");
   check(mapper->GetNumberOfPictures() == 4, "one picture for each viewport and frame");
 
   // Small and outside the others' aspect.
   right->SetViewport(0.8, 0.6, 0.9, 0.9);
   const Picture small = stage.Render();
-  CheckSame(check, Cut(small, 0, 0, 150, 150), alone, "the left viewport beside a small one");
+  CheckSame(check, Cut(small, 0, 0, 150, 150), leftAlone, "the left viewport beside a small one");
 }
 
 // One mapper in two windows at once, drawn in turns.
@@ -247,7 +250,8 @@ void CheckActors(Checks& check, vtkPolyData* lines, double opacity)
   Stage stage;
   auto left = stage.Add(mapper, opacity);
   left->SetPosition(-1.0, 0.5, 0.0);
-  left->SetScale(-0.5, 0.6, 0.7);
+  left->SetScale(-0.6, 0.6, 0.6);
+  left->RotateX(30.0);
   auto right = stage.Add(mapper, opacity);
   right->SetPosition(1.0, -0.5, 0.0);
   right->SetScale(0.5);
@@ -271,7 +275,8 @@ void CheckActors(Checks& check, vtkPolyData* lines, double opacity)
   other.Renderer->UseDepthPeelingOn();
   SetCamera(other.Renderer);
   const Difference difference = Compare(both, other.Render());
-  check(difference.Rms < 16.0, "actors with a matrix" + Describe(difference));
+  // The grids differ: pixels at edges of lines.
+  check(difference.Rms < 2.0, "actors with a matrix" + Describe(difference));
 }
 
 void CheckClippingPlanes(Checks& check, vtkPolyData* lines)
