@@ -209,6 +209,7 @@ struct RayCaster
     word = (word & 0x33333333u) + ((word >> 2u) & 0x33333333u);
     return static_cast<int>((((word + (word >> 4u)) & 0x0f0f0f0fu) * 0x01010101u) >> 24u);
   }
+  static int lowestBit(uint word) { return static_cast<int>(LowestBit(word)); }
   static Real exactValue(uint word)
   {
     float value;
@@ -253,16 +254,16 @@ struct RayCaster
   }
   static uint LowestBit(std::uint64_t bits)
   {
+#if defined(__GNUC__)
+    return static_cast<uint>(__builtin_ctzll(bits));
+#else
     uint index = 0;
-    for (; !(bits & 0xffu); bits >>= 8)
-    {
-      index += 8;
-    }
     for (; !(bits & 1u); bits >>= 1)
     {
       ++index;
     }
     return index;
+#endif
   }
 
   /// The plane across the ray, and where the bins of the six faces lie in it.

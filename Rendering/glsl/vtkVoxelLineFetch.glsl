@@ -116,12 +116,18 @@ vec4 fetchTable(int i)
   return texelFetch(ColorTable, i);
 }
 
-// OpenGL 3.2 has no bitCount() and no uintBitsToFloat().
+// OpenGL 3.2 has no bitCount(), findLSB() and uintBitsToFloat().
 int countBits(uint word)
 {
   word = word - ((word >> 1u) & 0x55555555u);
   word = (word & 0x33333333u) + ((word >> 2u) & 0x33333333u);
   return int((((word + (word >> 4u)) & 0x0f0f0f0fu) * 0x01010101u) >> 24u);
+}
+
+// Index of the lowest bit that is set.
+int lowestBit(uint word)
+{
+  return countBits((word ^ (word - 1u)) >> 1u);
 }
 
 // The number that the bits of a 32-bit float mean; coordinates in [0,1], never infinite or NaN.

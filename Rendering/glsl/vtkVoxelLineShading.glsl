@@ -20,6 +20,7 @@ vec3 lightSurface(vec3 position, vec3 normal, vec3 viewer, vec3 ambient, vec3 di
 {
   vec3 diffuseSum = vec3(Real(0));
   vec3 specularSum = vec3(Real(0));
+  bool shines = SpecularColor.x + SpecularColor.y + SpecularColor.z > Real(0);
   for (int i = 0; i < LightCount; ++i)
   {
     vec3 direction = LightDirection[i];
@@ -42,6 +43,10 @@ vec3 lightSurface(vec3 position, vec3 normal, vec3 viewer, vec3 ambient, vec3 di
     if (facing > Real(0))
     {
       diffuseSum += LightColor[i] * facing;
+      if (!shines)
+      {
+        continue;
+      }
       // A lone headlight (kind 3) shines along the view axis; VTK takes its highlight from the normal.
       Real mirrored = LightKind[i] == 3
         ? facing

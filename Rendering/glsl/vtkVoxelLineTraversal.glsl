@@ -27,7 +27,7 @@
 //   int fetchBrickGrid(int), uvec4 fetchBrick(int), uint fetchBrickFirstCurve(int),
 //   uint fetchVoxelStart(uint), uint fetchSegmentWord(uint), uint fetchIdExtension(uint),
 //   uint fetchBrickCurve(uint), Real fetchScalar(uint), vec4 fetchColor(uint), Real fetchRadius(uint),
-//   vec4 fetchTable(int), int countBits(uint), Real exactValue(uint),
+//   vec4 fetchTable(int), int countBits(uint), int lowestBit(uint), Real exactValue(uint),
 //   void beginRay(), void beginCandidates(uint, uint, vec3), uint nextCandidate(uint, uint): they leave
 //   out segments of a voxel that the ray cannot hit, where an engine tells so faster than the traversal.
 
@@ -48,6 +48,9 @@ Real BaseU;
 Real BaseV;
 Real SlopeU;
 Real SlopeV;
+// Slabs per step of u and of v.
+Real PerU;
+Real PerV;
 // The ray's way over a widened slab k, widened by the radius: [LowU, HighU] + SlopeU k.
 Real LowU;
 Real HighU;
@@ -533,17 +536,23 @@ bool visitSlab(int slab)
   int vLast = min(int(HighV + SlopeV * at + Real(1)), SizeV) - 1;
 
   bool any = false;
+  int cellW = (slab >> 2) * StrideW;
   for (int cellV = vFirst >> 2; cellV <= (vLast >> 2); ++cellV)
   {
     for (int cellU = uFirst >> 2; cellU <= (uLast >> 2); ++cellU)
     {
-      int brick = fetchBrickGrid(cellU * StrideU + cellV * StrideV + (slab >> 2) * StrideW);
+      int brick = fetchBrickGrid(cellU * StrideU + cellV * StrideV + cellW);
       if (brick < 0)
       {
         continue;
       }
       any = true;
       uvec4 record = fetchBrick(brick);
+      uint occupied = sliceOfBrick(record, slab & 3);
+      if (occupied == 0u)
+      {
+        continue;
+      }
       // The part of the slab's way that lies in this brick, as bits u + 4 v.
       int uLow = max(uFirst - 4 * cellU, 0);
       int uHigh = min(uLast - 4 * cellU, 3);
@@ -551,11 +560,11 @@ bool visitSlab(int slab)
       int vHigh = min(vLast - 4 * cellV, 3);
       uint row = (2u << uint(uHigh)) - (1u << uint(uLow));
       uint rows = 0x1111u & ((16u << uint(4 * vHigh)) - (1u << uint(4 * vLow)));
-      uint occupied = sliceOfBrick(record, slab & 3) & (row * rows);
+      occupied = occupied & (row * rows);
       while (occupied != 0u)
       {
         uint rest = occupied & (occupied - 1u);
-        int bit = countBits((occupied ^ rest) - 1u);
+        int bit = lowestBit(occupied);
         occupied = rest;
         visitVoxel(4 * cellU + (bit & 3), 4 * cellV + (bit >> 2), slab, brick, record);
       }
@@ -564,14 +573,10 @@ bool visitSlab(int slab)
   return any;
 }
 
-// Number of slabs in which u stays between the limits, when it goes by step from slab to slab.
-Real countSlabsWithin(Real u, Real step, Real lowest, Real highest)
+// Number of slabs in which u stays between the limits; it goes up or down, by one in perStep slabs.
+Real countSlabsWithin(Real u, bool up, Real perStep, Real lowest, Real highest)
 {
-  if (u < lowest || u > highest)
-  {
-    return Real(0);
-  }
-  return Real(1) + (step > Real(0) ? highest - u : u - lowest) / max(abs(step), Real(1e-6));
+  return u < lowest || u > highest ? Real(0) : Real(1) + (up ? highest - u : u - lowest) * perStep;
 }
 
 // Number of slabs, from this one on, in which the widened ray meets only empty bricks: the brick
@@ -592,12 +597,12 @@ int countEmptySlabs(int slab, int way)
   int reach = 4 * (distance - 1);
   int low = 4 * cellU - reach;
   int high = 4 * cellU + 4 + reach;
-  Real slabs = countSlabsWithin(u, way > 0 ? SlopeU : -SlopeU, low <= 0 ? -Beyond : Real(low) + ReachU,
+  Real slabs = countSlabsWithin(u, (way > 0) == (SlopeU > Real(0)), PerU, low <= 0 ? -Beyond : Real(low) + ReachU,
     high >= SizeU ? Beyond : Real(high) - ReachU);
   low = 4 * cellV - reach;
   high = 4 * cellV + 4 + reach;
   slabs = min(slabs,
-    countSlabsWithin(v, way > 0 ? SlopeV : -SlopeV, low <= 0 ? -Beyond : Real(low) + ReachV,
+    countSlabsWithin(v, (way > 0) == (SlopeV > Real(0)), PerV, low <= 0 ? -Beyond : Real(low) + ReachV,
       high >= SizeV ? Beyond : Real(high) - ReachV));
   int count = way > 0 ? 4 * cellW + 4 + reach - slab : slab - 4 * cellW + reach + 1;
   return slabs < Real(count) ? int(slabs) : count;
@@ -614,6 +619,8 @@ void prepareSlabs()
   PerW = Real(1) / RayDirection[AxisW];
   SlopeU = RayDirection[AxisU] * PerW;
   SlopeV = RayDirection[AxisV] * PerW;
+  PerU = Real(1) / max(abs(SlopeU), Real(1e-6));
+  PerV = Real(1) / max(abs(SlopeV), Real(1e-6));
   BaseU = RayOrigin[AxisU] - o * SlopeU;
   BaseV = RayOrigin[AxisV] - o * SlopeV;
   LowU = BaseU + min(-Radius * SlopeU, (Real(1) + Radius) * SlopeU) - Radius;
@@ -646,8 +653,9 @@ void clipToGrid(LS_INOUT(Real) start, LS_INOUT(Real) end)
       }
       continue;
     }
-    Real t0 = (-Radius - o) / d;
-    Real t1 = (size + Radius - o) / d;
+    Real perUnit = Real(1) / d;
+    Real t0 = (-Radius - o) * perUnit;
+    Real t1 = (size + Radius - o) * perUnit;
     start = max(start, min(t0, t1));
     end = min(end, max(t0, t1));
   }
@@ -657,6 +665,13 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
 {
   RayOrigin = origin;
   RayDirection = direction;
+  Real gridStart = start;
+  Real gridEnd = end;
+  clipToGrid(gridStart, gridEnd);
+  if (!(gridStart < gridEnd))
+  {
+    return;
+  }
   RayStart = start;
   RayEnd = end;
   RayLimit = end;
@@ -676,14 +691,6 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
   HasLayer = false;
   Forgot = false;
   Finished = false;
-
-  Real gridStart = start;
-  Real gridEnd = end;
-  clipToGrid(gridStart, gridEnd);
-  if (!(gridStart < gridEnd))
-  {
-    return;
-  }
 
   beginRay();
   prepareSlabs();
