@@ -14,7 +14,7 @@ namespace
 
 /// A piece is ended at this many vertices, so that its simplification takes bounded time however
 /// many vertices a curve has in one voxel.
-constexpr std::size_t LargestPiece = 2048;
+constexpr std::size_t LargestPiece = 512;
 
 double Clamp(double value, double low, double high)
 {

@@ -28,7 +28,7 @@ namespace
 constexpr std::size_t VoxelsPerBrick = 64;
 constexpr vtkIdType BricksPerTask = 64;
 constexpr int WordsPerRow = 5;
-constexpr vtkIdType SegmentsPerTask = 65536;
+constexpr vtkIdType SegmentsPerTask = 8192;
 /// Emission indices that share an entry of the table that tells their curves.
 constexpr std::size_t EmissionsPerEntry = 64;
 

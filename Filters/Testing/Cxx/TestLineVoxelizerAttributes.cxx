@@ -21,6 +21,7 @@ namespace
 {
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Largest = std::numeric_limits<double>::max();
 
 /// A line set, a voxelizer on it, and what it says.
 struct Scene
@@ -228,7 +229,7 @@ void TestNaN(Checks& check)
       std::isfinite(model->GetAttributeRange()[0]) && std::isfinite(model->GetAttributeRange()[1]),
     "nothing but NaN");
   scene.Add(scene.Lines->GetPointData(), 6, 1,
-    [](vtkIdType i, int) { return i % 3 == 0 ? -VTK_DOUBLE_MAX : VTK_DOUBLE_MAX; });
+    [](vtkIdType i, int) { return i % 3 == 0 ? -Largest : Largest; });
   model = scene.Run();
   int extremes = 0;
   for (vtkIdType i = 0; i < model->GetAttributes()->GetNumberOfValues(); ++i)

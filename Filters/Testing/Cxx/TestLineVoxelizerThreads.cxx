@@ -42,11 +42,11 @@ std::vector<std::string> BytesOf(vtkVoxelLineModel* model)
   return bytes;
 }
 
-std::vector<std::string> Voxelize(vtkPolyData* lines, int bins)
+std::vector<std::string> Voxelize(vtkPolyData* lines, int bins, int resolution = 20)
 {
   vtkNew<vtkLineVoxelizer> voxelizer;
   voxelizer->SetInputData(lines);
-  voxelizer->SetResolution(20);
+  voxelizer->SetResolution(resolution);
   voxelizer->SetFaceBins(bins);
   voxelizer->SetRadiusArrayName("Radius");
   voxelizer->Update();
@@ -82,12 +82,26 @@ vtkSmartPointer<vtkPolyData> MakeInput()
   return lines;
 }
 
+/// So many segments that threads are in each other's way for milliseconds, several times over.
+void TestRaces(Checks& check, vtkPolyData* lines)
+{
+  vtkSMPTools::SetBackend("Sequential");
+  const std::vector<std::string> expected = Voxelize(lines, 32, 150);
+  vtkSMPTools::SetBackend("STDThread");
+  vtkSMPTools::Initialize(7);
+  for (int repetition = 0; repetition < 4; ++repetition)
+  {
+    check(Voxelize(lines, 32, 150) == expected, "many segments, 7 threads");
+  }
+}
+
 }
 
 int TestLineVoxelizerThreads(int, char*[])
 {
   Checks check;
   vtkSmartPointer<vtkPolyData> lines = MakeInput();
+  TestRaces(check, lines);
   for (int bins : { 32, 256, 0 })
   {
     vtkSMPTools::SetBackend("Sequential");

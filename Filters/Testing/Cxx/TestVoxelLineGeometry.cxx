@@ -14,8 +14,10 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVoxelLineDensity.h"
 #include "vtkVoxelLineGeometry.h"
 
@@ -335,6 +337,12 @@ void TestErrors(Checks& check)
     "dimensions of the image");
 
   voxelizer->SetResolution(16);
+  density->UpdateInformation();
+  int extent[6];
+  density->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  check(
+    extent[1] > 0 && extent[1] < 16 && extent[1] == voxelizer->GetOutput()->GetDimensions()[0] - 1,
+    "the whole extent is known before the image");
   density->Update();
   check(density->GetOutput()->GetDimensions()[0] == voxelizer->GetOutput()->GetDimensions()[0] &&
       voxelizer->GetOutput()->GetDimensions()[0] <= 16,
