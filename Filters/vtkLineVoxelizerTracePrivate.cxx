@@ -221,7 +221,9 @@ void CurveTracer::Walk(const Sample& from, const Sample& to)
     }
     const int plane = this->Voxel[axis] + (step[axis] > 0 ? 1 : 0);
     const double t = (plane - from.Point[axis]) / (to.Point[axis] - from.Point[axis]);
-    return t > 0.0 ? std::min(t, 1.0) : 0.0; // also where t is NaN
+    // The ends are in different voxels, so that t is in [0,1]; unless a processor that flushes
+    // subnormal numbers makes it NaN.
+    return t > 0.0 ? std::min(t, 1.0) : 0.0;
   };
   for (int axis = 0; axis < 3; ++axis)
   {
