@@ -3,9 +3,9 @@
 #include "vtkVoxelLineModelBuilderPrivate.h"
 
 #include "vtkFloatArray.h"
-#include "vtkNew.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeUInt16Array.h"
 #include "vtkTypeUInt32Array.h"
@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstring>
 
 namespace vtkLineVoxelizerPrivate
 {
