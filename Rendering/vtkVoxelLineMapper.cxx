@@ -31,7 +31,7 @@ namespace
 constexpr const char* AttributeName = "vtkVoxelLineMapperAttribute";
 
 // Automatic radius: this part of the longest side of the bounds.
-constexpr double AutomaticRadius = 1.0 / 1024.0;
+constexpr double AutomaticRadius = 1.0 / 512.0;
 
 double GetLongestSide(const double bounds[6])
 {
@@ -341,7 +341,7 @@ double vtkVoxelLineMapper::GetRadiusInUse()
   }
   const double side = GetLongestSide(model->GetBounds());
   // A single point has no extent; the voxel size is what is left.
-  return side > 0.0 ? AutomaticRadius * side : 0.25 * model->GetVoxelSize();
+  return side > 0.0 ? AutomaticRadius * side : 0.5 * model->GetVoxelSize();
 }
 
 //------------------------------------------------------------------------------

@@ -89,7 +89,8 @@ public:
   ///@{
   /**
    * Radius of the tubes, in units of the data, 0 or above; the actor's matrix scales it with the
-   * data. Default 0: 1/1024 of the longest side of the lines' bounds. Without effect where the
+   * data. Default 0: 1/512 of the longest side of the lines' bounds, by which
+   * a tube is as wide as a voxel of the default Resolution. Without effect where the
    * model has radii of its own; see RadiusArrayName. A negative or not finite value is an error.
    */
   virtual void SetRadius(double radius);

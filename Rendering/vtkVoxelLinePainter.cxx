@@ -187,6 +187,15 @@ std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkRenderer* re
     renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
     vtkLineSetsSceneDepth::GetReadOrigin(window, viewport, origin, readOrigin);
   }
+  const auto warnOfOverflows = [&warnings](vtkIdType pixels)
+  {
+    if (pixels > 0)
+    {
+      warnings[OverlappingCurves] = "In " + std::to_string(pixels) +
+        " pixels more lines overlap than can be told apart, so that some may be blended twice at a "
+        "joint; a smaller radius or a higher resolution avoids it.";
+    }
+  };
   const char* noDepth = "The depth of the scene cannot be read from the framebuffer; translucent "
                         "lines in front of opaque actors may hide them too much.";
 
@@ -211,6 +220,7 @@ std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkRenderer* re
     {
       return this->ShaderEngine.GetError();
     }
+    warnOfOverflows(this->ShaderEngine.GetNumberOfOverflows());
     this->Layer.SetTextures(
       this->ShaderEngine.GetColorTexture(), this->ShaderEngine.GetDepthTexture());
     return {};
@@ -225,12 +235,7 @@ std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkRenderer* re
   vtkVoxelLineNativeEngine::Render(scene.Model, frame, this->Picture);
   // Read by nobody any more, and large.
   frame.SceneDepth = std::vector<float>();
-  if (this->Picture.NumberOfOverflows > 0)
-  {
-    warnings[OverlappingCurves] = "In " + std::to_string(this->Picture.NumberOfOverflows) +
-      " pixels more lines overlap than can be told apart, so that some may be blended twice at a "
-      "joint; a smaller radius or a higher resolution avoids it.";
-  }
+  warnOfOverflows(this->Picture.NumberOfOverflows);
   return this->Layer.SetPicture(window, frame.Width, frame.Height, this->Picture.Color.data(),
            this->Picture.Depth.data())
     ? std::string()

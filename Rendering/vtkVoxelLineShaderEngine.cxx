@@ -20,6 +20,7 @@
 #include "vtkWeakPointer.h"
 
 #include "vtkVoxelLineCapsule.h"
+#include "vtkVoxelLineCount.h"
 #include "vtkVoxelLineFetch.h"
 #include "vtkVoxelLineFragment.h"
 #include "vtkVoxelLinePacking.h"
@@ -88,6 +89,11 @@ struct vtkVoxelLineShaderEngine::Internals
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
   std::string QuadKind;
+  // Counts the pixels in which an exit had to be forgotten.
+  vtkNew<vtkOpenGLFramebufferObject> CountFramebuffer;
+  std::unique_ptr<vtkOpenGLQuadHelper> CountQuad;
+  unsigned int CountQuery = 0;
+  vtkIdType NumberOfOverflows = 0;
   std::string Error;
   int Size[2] = { 0, 0 };
 
@@ -107,6 +113,7 @@ struct vtkVoxelLineShaderEngine::Internals
   bool PrepareQuad(vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model,
     const vtkVoxelLineFrame& frame, bool hasScene);
   void SetUniforms(vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame);
+  void CountOverflows(vtkOpenGLRenderWindow* window);
 };
 
 namespace
@@ -157,6 +164,13 @@ void vtkVoxelLineShaderEngine::Internals::Release(vtkWindow* window)
   this->Quad.reset();
   this->QuadKind.clear();
   this->Framebuffer->ReleaseGraphicsResources(window);
+  this->CountQuad.reset();
+  this->CountFramebuffer->ReleaseGraphicsResources(window);
+  if (this->CountQuery != 0 && window)
+  {
+    glDeleteQueries(1, &this->CountQuery);
+  }
+  this->CountQuery = 0;
   this->Color->ReleaseGraphicsResources(window);
   this->Depth->ReleaseGraphicsResources(window);
   this->Size[0] = this->Size[1] = 0;
@@ -408,6 +422,37 @@ void vtkVoxelLineShaderEngine::Internals::SetUniforms(
   program->SetUniform2fv("LightSpot", lights, spots.data());
 }
 
+void vtkVoxelLineShaderEngine::Internals::CountOverflows(vtkOpenGLRenderWindow* window)
+{
+  this->NumberOfOverflows = 0;
+  if (!this->CountQuad)
+  {
+    this->CountQuad.reset(
+      new vtkOpenGLQuadHelper(window, vtkVoxelLineVertex, vtkVoxelLineCount, ""));
+    glGenQueries(1, &this->CountQuery);
+  }
+  if (!this->CountQuad->Program)
+  {
+    return;
+  }
+  // Its own framebuffer: the texture that is read must not be attached to the one that is drawn to.
+  window->GetState()->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  this->CountFramebuffer->SetContext(window);
+  this->CountFramebuffer->Bind();
+  this->CountFramebuffer->AddColorAttachment(0, this->Color);
+  this->CountFramebuffer->ActivateDrawBuffer(0);
+  window->GetShaderCache()->ReadyShaderProgram(this->CountQuad->Program);
+  this->Depth->Activate();
+  this->CountQuad->Program->SetUniformi("Picture", this->Depth->GetTextureUnit());
+  glBeginQuery(GL_SAMPLES_PASSED, this->CountQuery);
+  this->CountQuad->Render();
+  glEndQuery(GL_SAMPLES_PASSED);
+  this->Depth->Deactivate();
+  GLuint count = 0;
+  glGetQueryObjectuiv(this->CountQuery, GL_QUERY_RESULT, &count);
+  this->NumberOfOverflows = static_cast<vtkIdType>(count);
+}
+
 vtkVoxelLineShaderEngine::vtkVoxelLineShaderEngine()
   : Data(new Internals)
 {
@@ -481,6 +526,12 @@ bool vtkVoxelLineShaderEngine::Render(vtkOpenGLRenderWindow* window, vtkVoxelLin
       {
         sceneDepth->Deactivate();
       }
+      // Opaque lines seen from outside have no stretches, thus nothing to forget.
+      data.NumberOfOverflows = 0;
+      if (!frame.IsOpaque())
+      {
+        data.CountOverflows(window);
+      }
     }
   }
   state->PopFramebufferBindings();
@@ -500,6 +551,11 @@ vtkTextureObject* vtkVoxelLineShaderEngine::GetDepthTexture() const
 const std::string& vtkVoxelLineShaderEngine::GetError() const
 {
   return this->Data->Error;
+}
+
+vtkIdType vtkVoxelLineShaderEngine::GetNumberOfOverflows() const
+{
+  return this->Data->NumberOfOverflows;
 }
 
 vtkIdType vtkVoxelLineShaderEngine::GetNumberOfBytes() const

@@ -47,6 +47,10 @@ public:
   /// What is missing, after Render() returned false.
   const std::string& GetError() const;
 
+  /// Number of pixels of the last picture in which more curves overlapped than the shader can tell
+  /// apart, so that one may have been blended twice at a joint; as vtkVoxelLinePicture tells.
+  vtkIdType GetNumberOfOverflows() const;
+
   /// Bytes on the graphics device: model, tables and picture.
   vtkIdType GetNumberOfBytes() const;
 

@@ -82,9 +82,9 @@ int InsideBrick[InsideCapacity];
 ivec3 InsideVoxel[InsideCapacity];
 
 // Whether the ray starts inside a tube.
-bool StartsInside;
+bool StartsInside = false;
 // Whether an opaque hit ends the search; not while tubes around the ray's start may yet be found.
-bool Shortening;
+bool Shortening = false;
 
 // First hit that did not fit.
 Real OverflowEntry;
@@ -92,7 +92,7 @@ uint OverflowSegment;
 // Last hit that was blended; while visiting slabs again, hits up to it are known.
 Real LastEntry;
 uint LastSegment;
-bool Resuming;
+bool Resuming = false;
 
 // Curves that the ray is inside of, and where it leaves them.
 int ActiveCount;
@@ -105,9 +105,9 @@ vec3 RayColor;
 Real RayOpacity;
 Real FirstDistance;
 int FirstCurve;
-bool HasLayer;
-bool Forgot;
-bool Finished;
+bool HasLayer = false;
+bool Forgot = false;
+bool Finished = false;
 
 // --- Segments --------------------------------------------------------------------------------------
 
@@ -351,13 +351,17 @@ void blendLayer(Real seen, bool fromInside, uint segment, int brick, ivec3 voxel
     FirstCurve = Picking ? int(fetchCurve(segment, brick)) : 0;
   }
   vec3 shade = vec3(color);
+  vec3 ambient = (Coloring == 0 ? AmbientColor : shade) * Ambient;
   if (Lighting)
   {
     vec3 normal = normalize(NormalFromLocal * tubeNormal(x, a, b, ra, rb));
     normal = fromInside ? -normal : normal;
     vec3 position = vec3(ViewFromLocal * vec4(x + vec3(voxel), Real(1)));
-    vec3 ambient = Coloring == 0 ? AmbientColor : shade;
-    shade = lightSurface(position, normal, normalize(-position), ambient * Ambient, shade * Diffuse);
+    shade = lightSurface(position, normal, normalize(-position), ambient, shade * Diffuse);
+  }
+  else
+  {
+    shade = ambient + shade * Diffuse;
   }
   shade = clamp(shade, Real(0), Real(1));
   Real weight = (Real(1) - RayOpacity) * color.w;

@@ -128,7 +128,7 @@ void Benchmark::MakeInput()
   this->Input.Lines->GetBounds(bounds);
   const double longest =
     std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-  this->Input.Radius = this->Options.Radius > 0.0 ? this->Options.Radius : longest / 1024.0;
+  this->Input.Radius = this->Options.Radius > 0.0 ? this->Options.Radius : longest / 512.0;
   this->Input.Opacity = this->Options.Opacity;
   this->Input.Resolution = this->Options.Resolution;
   this->Input.FaceBins = this->Options.FaceBins;

@@ -268,8 +268,8 @@ SCENE or --scene SCENE   )"
                          takes half as many passes over all tubes as there are layers, and hence
                          minutes to hours for a frame of the large scenes on a processor; with
                          a limit ratio_peeling is a lower bound)
---radius R               of the tubes in units of the data (default: 1/1024 of the longest side
-                         of the bounds, that is, a quarter voxel of 256)
+--radius R               of the tubes in units of the data (default: 1/512 of the longest side
+                         of the bounds, that is, half a voxel of 256)
 --opacity A              0 to 1 (default 1)
 --size WxH               of the image (default 1024x768)
 --frames N               frames that count, after one that does not (default 5); the camera moves

@@ -19,7 +19,7 @@ struct BenchmarkOptions
   std::string Scene;
   std::vector<std::string> Methods;
   std::vector<std::string> Engines = { "automatic" };
-  double Radius = 0.0; ///< 0: 1/1024 of the longest side of the bounds
+  double Radius = 0.0; ///< 0: 1/512 of the longest side of the bounds
   long long Lines = 0;
   int Vertices = 0;
   int Width = 1024;

@@ -6,7 +6,7 @@
  *   RenderLines FILE [--radius R] [--opacity A] [--color-by ARRAY] [--size WxH] [--output PNG]
  *
  * FILE is anything VTK reads by itself (.vtp, .vtk, ...). The radius is in data units, by default
- * 1/1024 of the longest side of the data. Without --output an interactive window opens.
+ * 1/512 of the longest side of the data. Without --output an interactive window opens.
  */
 
 #include "vtkVoxelLineMapper.h"

@@ -204,10 +204,10 @@ void CheckProperties(Checks& check, Messages* messages)
     "the last valid values stay");
   check(messages->IsQuiet(), "nothing else is said");
 
-  // 0 is an automatic radius: 1/1024 of the longest side.
+  // 0 is an automatic radius: 1/512 of the longest side.
   mapper->SetInputData(MakeLines({ { { 0.0, 0.0, 0.0 }, { 20.48, 0.0, 1.0 } } }));
   mapper->SetRadius(0.0);
-  check(std::abs(mapper->GetRadiusInUse() - 0.02) < 1e-12, "the automatic radius");
+  check(std::abs(mapper->GetRadiusInUse() - 0.04) < 1e-12, "the automatic radius");
 }
 
 // Radii per point: used, missing, not usable.

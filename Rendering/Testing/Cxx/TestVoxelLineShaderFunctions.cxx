@@ -30,10 +30,10 @@ void Check(bool good, const char* what, double value, double bound)
   }
 }
 
-/// Signed distance from the convex hull of two spheres, by ternary search along the axis: the hull is
-/// the union of the spheres whose centre and radius are interpolated between both ends.
-double TubeDistance(const Vector<double>& x, const Vector<double>& a, const Vector<double>& b,
-  double ra, double rb)
+/// Signed distance from the convex hull of two spheres, by ternary search along the axis: the hull
+/// is the union of the spheres whose centre and radius are interpolated between both ends.
+double TubeDistance(
+  const Vector<double>& x, const Vector<double>& a, const Vector<double>& b, double ra, double rb)
 {
   const auto at = [&](double s)
   { return glm::length(x - (a + (b - a) * s)) - (ra + (rb - ra) * s); };
@@ -149,8 +149,8 @@ void TestIntersection(double tolerance)
         const double error = std::abs(TubeDistance(x, a, b, ra, rb));
         worst = std::max(worst, error / grazing);
         Check(error <= tolerance * grazing, "distance of a hit from the surface", error, tolerance);
-        const Vector<double> normal(f.tubeNormal(Vector<R>(x), Vector<R>(a), Vector<R>(b),
-          static_cast<R>(ra), static_cast<R>(rb)));
+        const Vector<double> normal(f.tubeNormal(
+          Vector<R>(x), Vector<R>(a), Vector<R>(b), static_cast<R>(ra), static_cast<R>(rb)));
         const double step = 1e-3;
         const double outside = TubeDistance(x + normal * step, a, b, ra, rb);
         Check(std::abs(outside - step) < 0.02 * step + 2.0 * error,
@@ -172,7 +172,8 @@ void TestIntersection(double tolerance)
       n += 3; // misses are dear to verify
     }
   }
-  std::cout << "Tubes: " << hits << " hits, " << misses << " misses, largest error " << worst << "\n";
+  std::cout << "Tubes: " << hits << " hits, " << misses << " misses, largest error " << worst
+            << "\n";
   Check(hits > 900, "number of hits", hits, 900);
   Check(misses > 900, "number of misses", misses, 900);
 }
@@ -206,8 +207,7 @@ void TestLight()
   const V slanted = glm::normalize(V(0.0, 3.0, 4.0)); // N.z = 0.8
   const auto expect = [&](const V& normal, const V& expected, const char* what)
   {
-    const V color =
-      f.lightSurface(V(0.0, 0.0, -5.0), normal, viewer, V(0.1), V(0.5));
+    const V color = f.lightSurface(V(0.0, 0.0, -5.0), normal, viewer, V(0.1), V(0.5));
     const double error = glm::length(color - expected);
     Check(error < 1e-9, what, error, 1e-9);
   };
