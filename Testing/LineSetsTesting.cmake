@@ -19,6 +19,11 @@ if (CMAKE_SOURCE_DIR STREQUAL LINESETS_SOURCE_DIR)
   set(_vtk_test_python_args "${LINESETS_PYTHON_LAUNCHER}")
 endif ()
 
+# See Testing/CMakeLists.txt.
+if (LINESETS_SANITIZE MATCHES "address")
+  link_libraries(linesets_keep_libraries_loaded)
+endif ()
+
 # linesets_test_sources(<executable>)
 # What the tests of the project need beyond VTK's: the project's warnings, its private headers and
 # shader files, GLM, and the reference renderer.

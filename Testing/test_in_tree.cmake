@@ -14,9 +14,13 @@ foreach (part IN ITEMS CMakeLists.txt vtk.module Filters Rendering Module Testin
   file(COPY "${SOURCE_DIR}/${part}" DESTINATION "${scratch}/source/Remote/LineSets")
 endforeach ()
 
+set(python)
+if (PYTHON)
+  set(python "-DPython3_EXECUTABLE=${PYTHON}")
+endif ()
 execute_process(
   COMMAND "${CMAKE_COMMAND}" -S "${scratch}/source" -B "${scratch}/build" -G "${GENERATOR}"
-    "-DVTK_DIR=${VTK_DIR}" "-DPython3_EXECUTABLE=${PYTHON}"
+    "-DVTK_DIR=${VTK_DIR}" ${python}
   RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if (NOT status EQUAL 0)
   message(FATAL_ERROR "Configuration in a VTK tree failed (${status}):\n${output}")
