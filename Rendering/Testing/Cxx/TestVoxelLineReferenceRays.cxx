@@ -209,7 +209,7 @@ void TestClippingPlanes(ReferenceStage& stage)
     what.Radius = 1.2;
     what.Resolution = 24;
     what.FaceBins = isBent ? 32 : 0;
-    what.PartOfTies = isBent ? 0.01 : 0.003;
+    what.PartOfTies = isBent ? 0.015 : 0.006;
     what.Width = 120;
     what.Height = 90;
     what.Opacity = i < 4 ? 1.0 : 0.4;

@@ -46,19 +46,19 @@ struct ReferenceCase
   /// Changes to the reference's scene.
   std::function<void(linesets::CapsuleScene&)> Adapt;
   /**
-   * Single pixels that may differ by more than the bound. A ray that touches a tube at its edge
-   * hits it in double precision and misses it in single precision, or the other way round: this is
-   * so for rays closer to the edge than about 1e-5 voxels, of which an image of 200 x 150 has
-   * hardly ever more than one or two, as pixels are about a tenth of a voxel wide.
+   * Single pixels that may differ by more than the bound. A ray that touches a tube at its edge, or
+   * passes the seam between two segments, may hit in double precision and miss in single precision,
+   * or the other way round. This is so for rays closer than about 1e-5 voxels to it, of which an
+   * image has hardly ever more than one or two, as pixels are about a tenth of a voxel wide.
    */
   int EdgePixels = 3;
   /**
-   * Leave out pixels that the reference itself shows otherwise where some radii are 0.0001 voxels
-   * larger, and how large a part of the picture these may be. A ray that starts inside a tube sees
-   * the far wall of the segment that it entered first. Segments share a sphere at their joint:
-   * where the ray came in through that sphere, behind its start, both are entered at once, and
-   * rounding decides between them, in double precision as well. In a straight tube this is so near
-   * the circle in which the sphere touches the wall.
+   * Leave out pixels that the reference itself shows otherwise where radii differ by up to 0.0001
+   * voxels, and how large a part of the picture these may be; 0: none are left out. A ray that
+   * starts inside a tube sees the far wall of the segment that it entered first. Segments share a
+   * sphere at their joint: where the ray came in through that sphere, behind its start, both are
+   * entered at once, and rounding decides between them, in double precision as well. In a straight
+   * tube this is so near the circle in which the sphere touches the wall.
    */
   double PartOfTies = 0.0;
   /// Whether the bounds hold; false where the reference shows something else than the model.
@@ -180,7 +180,7 @@ private:
       linesets::Random random(7, static_cast<std::uint64_t>(round));
       for (linesets::Capsule& capsule : scene.Capsules)
       {
-        const double grown = random.Uniform(0.0, change);
+        const double grown = random.Uniform(-change, change);
         capsule.StartRadius += grown;
         capsule.EndRadius += grown;
       }
