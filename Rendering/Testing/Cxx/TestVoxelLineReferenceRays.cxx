@@ -186,6 +186,14 @@ void TestManyHits(ReferenceStage& stage, Checks& check)
     // The native engine's buffer holds 64 hits.
     check(result.MostLayers > 2 * 64, what.Name + ": more hits than the buffer holds");
   }
+  // Overflow in the first part of a slab, which must be visited again from there.
+  what.Name = "2000 lines in large voxels";
+  what.Resolution = 2;
+  what.Radius = 0.16;
+  stage.Run(what);
+  what.Resolution = 12;
+  what.Radius = 0.9;
+
   what.Name = "2000 lines, from within";
   what.View = [](vtkCamera* camera, vtkVoxelLineModel*)
   {
