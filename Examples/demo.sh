@@ -44,7 +44,7 @@ if [ "$window" = yes ]; then
 fi
 display=()
 if [ -z "${DISPLAY:-}" ]; then
-  display=(xvfb-run -a -s "-screen 0 1280x1024x24 +extension GLX")
+  display=(xvfb-run -a -s "-screen 0 1280x1024x24 +extension GLX -noreset")
 fi
 "${display[@]}" "${render[@]}" --opacity 1 --output "$pictures/carotid-opaque.png"
 "${display[@]}" "${render[@]}" --opacity 0.25 --output "$pictures/carotid-transparent.png"
