@@ -18,6 +18,7 @@
 #include "vtkVoxelLineSegmentsPrivate.h"
 
 #include <cmath>
+#include <string>
 
 vtkStandardNewMacro(vtkVoxelLineDensity);
 
@@ -100,6 +101,13 @@ int vtkVoxelLineDensity::RequestData(vtkInformation* vtkNotUsed(request),
   if (this->Level != 0)
   {
     vtkErrorMacro("Level is " << this->Level << "; the model has level 0 only.");
+    this->SetErrorCode(vtkErrorCode::UserError);
+    return 1;
+  }
+  const std::string defect = model ? model->FindDefect() : std::string();
+  if (!defect.empty())
+  {
+    vtkErrorMacro(<< defect);
     this->SetErrorCode(vtkErrorCode::UserError);
     return 1;
   }

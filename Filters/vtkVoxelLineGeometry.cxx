@@ -26,6 +26,7 @@
 #include <array>
 #include <limits>
 #include <numeric>
+#include <string>
 
 vtkStandardNewMacro(vtkVoxelLineGeometry);
 
@@ -452,6 +453,13 @@ int vtkVoxelLineGeometry::RequestData(vtkInformation* vtkNotUsed(request),
   if (this->Level != 0)
   {
     vtkErrorMacro("Level is " << this->Level << "; the model has level 0 only.");
+    this->SetErrorCode(vtkErrorCode::UserError);
+    return 1;
+  }
+  const std::string defect = model ? model->FindDefect() : std::string();
+  if (!defect.empty())
+  {
+    vtkErrorMacro(<< defect);
     this->SetErrorCode(vtkErrorCode::UserError);
     return 1;
   }

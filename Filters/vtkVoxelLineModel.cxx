@@ -11,6 +11,8 @@
 #include "vtkVoxelLineEncodingPrivate.h"
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 
 vtkStandardNewMacro(vtkVoxelLineModel);
 
@@ -36,6 +38,33 @@ void CopyDeep(vtkSmartPointer<ArrayT>& target, const vtkSmartPointer<ArrayT>& so
 const std::uint32_t* WordsOf(vtkDataArray* array)
 {
   return static_cast<const std::uint32_t*>(array->GetVoidPointer(0));
+}
+
+/// Why an array does not have one of the types, the components and the rows that it has to have;
+/// empty where it has. A negative number of rows: any.
+std::string FindArrayDefect(const std::string& name, vtkDataArray* array,
+  std::initializer_list<int> types, int components, vtkIdType rows)
+{
+  if (!array)
+  {
+    return name + " is missing";
+  }
+  if (std::find(types.begin(), types.end(), array->GetDataType()) == types.end() ||
+    !array->HasStandardMemoryLayout())
+  {
+    return name + " holds " + array->GetDataTypeAsString() + ", which is not a type it may have";
+  }
+  if (array->GetNumberOfComponents() != components)
+  {
+    return name + " has " + std::to_string(array->GetNumberOfComponents()) +
+      " components where there are to be " + std::to_string(components);
+  }
+  if (rows >= 0 && array->GetNumberOfTuples() != rows)
+  {
+    return name + " has " + std::to_string(array->GetNumberOfTuples()) +
+      " rows where there are to be " + std::to_string(rows);
+  }
+  return std::string();
 }
 
 }
@@ -286,6 +315,97 @@ vtkIdType vtkVoxelLineModel::GetNumberOfBytes() const
     bytes += this->GetNumberOfBytes(part);
   }
   return bytes;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLineModel::FindGridDefect() const
+{
+  bool isPlaced = std::isfinite(this->VoxelSize) && this->VoxelSize > 0.0;
+  bool hasVoxels = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    isPlaced = isPlaced && std::isfinite(this->Origin[axis]);
+    hasVoxels = hasVoxels && this->Dimensions[axis] > 0;
+  }
+  const int bins = this->FaceBins;
+  if (bins != 0 && (bins < 2 || bins > 2048 || (bins & (bins - 1)) != 0))
+  {
+    return "FaceBins is " + std::to_string(bins) + "; it must be a power of two from 2 to 2048, " +
+      "or 0";
+  }
+  return !isPlaced ? "Origin and VoxelSize must be finite, and VoxelSize above 0"
+    : !hasVoxels   ? "Dimensions must be above 0"
+                   : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLineModel::FindArraysDefect() const
+{
+  int cells[3];
+  this->GetBrickDimensions(cells);
+  const vtkIdType segments = this->GetNumberOfSegments();
+  std::string defect = FindArrayDefect("BrickGrid", this->BrickGrid, { VTK_INT }, 1,
+    static_cast<vtkIdType>(cells[0]) * cells[1] * cells[2]);
+  const auto require = [&defect](const char* name, vtkDataArray* array,
+                         std::initializer_list<int> types, int components, vtkIdType rows)
+  { defect = defect.empty() ? FindArrayDefect(name, array, types, components, rows) : defect; };
+  require("Bricks", this->Bricks, { VTK_UNSIGNED_INT }, 5, -1);
+  require("Segments", this->Segments,
+    { this->GetEncoding() == Exact ? VTK_FLOAT : VTK_UNSIGNED_INT }, this->GetSegmentWords(), -1);
+  if (!defect.empty())
+  {
+    return defect;
+  }
+  if (this->GetNumberOfBricks() == 0)
+  {
+    return "Bricks has no brick for the " + std::to_string(segments) + " segments";
+  }
+  const std::uint32_t* ends = WordsOf(this->Bricks) + 5 * this->GetNumberOfBricks();
+  if (ends[2] != static_cast<std::uint64_t>(segments))
+  {
+    return "Segments has " + std::to_string(segments) + " rows where Bricks ends at " +
+      std::to_string(ends[2]);
+  }
+  require("VoxelStarts", this->VoxelStarts, { VTK_UNSIGNED_SHORT, VTK_UNSIGNED_INT }, 1, ends[3]);
+  require("BrickCurves", this->BrickCurves, { VTK_UNSIGNED_INT }, 1, ends[4]);
+  require("CurveCells", this->CurveCells, { VTK_ID_TYPE }, 2, -1);
+  if (this->CurveIdExtension)
+  {
+    require("CurveIdExtension", this->CurveIdExtension,
+      { VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_UNSIGNED_INT }, 1, segments);
+  }
+  if (this->Attributes || this->AttributeKind != NoAttribute)
+  {
+    require("Attributes", this->Attributes, { VTK_UNSIGNED_CHAR },
+      this->AttributeKind == Color ? 8 : 2, segments);
+  }
+  if (this->Radii)
+  {
+    require("Radii", this->Radii, { VTK_UNSIGNED_CHAR }, 2, segments);
+  }
+  return defect;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLineModel::FindDefect() const
+{
+  const bool isEmpty = !this->BrickGrid && !this->Bricks && !this->VoxelStarts && !this->Segments &&
+    !this->CurveIdExtension && !this->BrickCurves && !this->Attributes && !this->Radii;
+  if (isEmpty || (this->Segments && this->Segments->GetNumberOfTuples() == 0))
+  {
+    return std::string();
+  }
+  std::string defect = this->FindGridDefect();
+  if (defect.empty())
+  {
+    defect = this->FindArraysDefect();
+  }
+  if (defect.empty() && this->Radii &&
+    !(std::isfinite(this->MaximumRadius) && this->MaximumRadius > 0.0))
+  {
+    defect = "MaximumRadius must be finite and above 0 where there are Radii";
+  }
+  return defect.empty() ? defect : "The model is not complete: " + defect + ".";
 }
 
 //------------------------------------------------------------------------------

@@ -60,6 +60,8 @@
 #include "vtkFiltersLineSetsModule.h" // For export macro
 #include "vtkSmartPointer.h"          // For array members
 
+#include <string> // For std::string
+
 class vtkDataArray;
 class vtkIdTypeArray;
 class vtkUnsignedCharArray;
@@ -274,6 +276,14 @@ public:
   vtkGetMacro(LargestDeviation, double);
   ///@}
 
+  /**
+   * What keeps the model from being drawn or read: an array that is missing or that does not have
+   * the type, components or rows that the class description asks for, or a grid that cannot be.
+   * Empty where the model is complete or empty. The entries of the arrays are not looked through,
+   * except for the closing row of Bricks, so that it takes no time to speak of.
+   */
+  std::string FindDefect() const;
+
   /// Bytes that a part of the model takes.
   vtkIdType GetNumberOfBytes(int part) const;
 
@@ -296,6 +306,14 @@ public:
 protected:
   vtkVoxelLineModel();
   ~vtkVoxelLineModel() override;
+
+  ///@{
+  /**
+   * Parts of FindDefect().
+   */
+  std::string FindGridDefect() const;
+  std::string FindArraysDefect() const;
+  ///@}
 
   /// Everything but the arrays.
   void CopyMembers(vtkVoxelLineModel* model);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Guards the structure of a model that others rely on: brick grid with exact distances, bricks,
- * voxel starts, curve lists and the order of segments; its accounts of memory; and its life as
- * pipeline data: copies, initialization, printing.
+ * voxel starts, curve lists and the order of segments; its accounts of memory; its life as
+ * pipeline data: copies, initialization, printing; and that arrays that are missing or do not fit
+ * are found, and told by the filters instead of being read.
  */
 
 #include "VoxelLineTesting.h"
@@ -13,8 +14,12 @@
 #include "vtkPointData.h"
 #include "vtkTrivialProducer.h"
 #include "vtkTypeUInt32Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVoxelLineDensity.h"
 #include "vtkVoxelLineDistancePrivate.h"
+#include "vtkVoxelLineGeometry.h"
 
+#include <functional>
 #include <sstream>
 
 using namespace VoxelLineTesting;
@@ -265,6 +270,60 @@ void TestCopies(Checks& check, vtkVoxelLineModel* model)
   check(!vtkVoxelLineModel::GetData(static_cast<vtkInformation*>(nullptr)), "no data, no model");
 }
 
+/// What the filters say about a model; empty where they make something of it.
+std::string TellByFilters(vtkVoxelLineModel* model)
+{
+  vtkNew<MessageObserver> observer;
+  vtkNew<vtkVoxelLineGeometry> geometry;
+  geometry->SetInputDataObject(model);
+  geometry->AddObserver(vtkCommand::ErrorEvent, observer);
+  geometry->Update();
+  vtkNew<vtkVoxelLineDensity> density;
+  density->SetInputDataObject(model);
+  density->AddObserver(vtkCommand::ErrorEvent, observer);
+  density->Update();
+  return observer->NumberOfErrors == 1 ? "one filter only" : observer->ErrorMessage;
+}
+
+void TestDefects(Checks& check, vtkVoxelLineModel* good)
+{
+  check(good->FindDefect().empty() && TellByFilters(good).empty(), "a good model has no defect");
+  using Change = std::function<void(vtkVoxelLineModel*)>;
+  using Model = vtkVoxelLineModel;
+  const std::pair<const char*, Change> cases[] = { { "BrickGrid is missing",
+                                                     [](Model* m) { m->SetBrickGrid(nullptr); } },
+    { "BrickGrid holds float", [](Model* m) { m->SetBrickGrid(vtkNew<vtkFloatArray>()); } },
+    { "BrickGrid has", [](Model* m) { m->SetDimensions(40, 40, 40); } },
+    { "Bricks is missing", [](Model* m) { m->SetBricks(nullptr); } },
+    { "Bricks has 1 components", [](Model* m) { m->SetBricks(vtkNew<vtkTypeUInt32Array>()); } },
+    { "VoxelStarts is missing", [](Model* m) { m->SetVoxelStarts(nullptr); } },
+    { "VoxelStarts has 0 rows", [](Model* m) { m->SetVoxelStarts(vtkNew<vtkTypeUInt32Array>()); } },
+    { "Segments is missing", [](Model* m) { m->SetSegments(nullptr); } },
+    { "Segments has 1 components", [](Model* m) { m->SetFaceBins(64); } },
+    { "Segments holds unsigned int", [](Model* m) { m->SetFaceBins(0); } },
+    { "Segments has", [](Model* m) { m->GetSegments()->RemoveLastTuple(); } },
+    { "CurveIdExtension has 0 rows",
+      [](Model* m) { m->SetCurveIdExtension(vtkNew<vtkUnsignedCharArray>()); } },
+    { "BrickCurves is missing", [](Model* m) { m->SetBrickCurves(nullptr); } },
+    { "CurveCells is missing", [](Model* m) { m->SetCurveCells(nullptr); } },
+    { "Attributes is missing", [](Model* m) { m->SetAttributes(nullptr); } },
+    { "Attributes has 2 components", [](Model* m) { m->SetAttributeKind(Model::Color); } },
+    { "Radii has 1 components", [](Model* m) { m->SetRadii(vtkNew<vtkUnsignedCharArray>()); } },
+    { "MaximumRadius", [](Model* m) { m->SetMaximumRadius(0.0); } },
+    { "FaceBins is 33", [](Model* m) { m->SetFaceBins(33); } },
+    { "VoxelSize", [](Model* m) { m->SetVoxelSize(0.0); } },
+    { "Dimensions", [](Model* m) { m->SetDimensions(0, 1, 1); } } };
+  for (const auto& [text, change] : cases)
+  {
+    vtkNew<vtkVoxelLineModel> model;
+    model->DeepCopy(good);
+    change(model);
+    const std::string name = text;
+    check(model->FindDefect().find(name) != std::string::npos, name + ": found");
+    check(TellByFilters(model).find(name) != std::string::npos, name + ": the filters tell it");
+  }
+}
+
 }
 
 int TestVoxelLineModel(int, char*[])
@@ -306,6 +365,7 @@ int TestVoxelLineModel(int, char*[])
   voxelizer->SetResolution(9);
   voxelizer->Update();
   TestCopies(check, voxelizer->GetOutput());
+  TestDefects(check, voxelizer->GetOutput());
 
   vtkNew<vtkVoxelLineModel> model;
   check(model->GetNumberOfOccupiedVoxels() == 0 && model->GetNumberOfBytes() == 0 &&
