@@ -216,6 +216,8 @@ void vtkLineVoxelizer::ReadInput(
     }
     return;
   }
+  // Radii are held against the bounds of the curves.
+  input.FindCurves();
   std::vector<std::string> messages;
   input.ReadValues(request, messages);
   for (const std::string& message : messages)
@@ -363,7 +365,6 @@ std::string vtkLineVoxelizer::Execute(
   }
   vtkLineVoxelizerPrivate::Input input;
   this->ReadInput(inputs, input, warning);
-  input.FindCurves();
   const std::string dropped = input.DescribeDropped();
   if (!dropped.empty())
   {

@@ -128,7 +128,9 @@ public:
   ///@{
   /**
    * Name of a point array of radii in world units, or an empty string for none. Its first component
-   * is used; radii that are negative or not finite are taken as 0. Default none.
+   * is used; radii that are negative or not finite are taken as 0, and those above 4 times the
+   * longest side of the curves' bounds as that. A model stores them in 8 bits, so that those below
+   * 1/510 of the largest one become 0. Each of these is counted in a warning. Default none.
    */
   vtkSetMacro(RadiusArrayName, std::string);
   vtkGetMacro(RadiusArrayName, std::string);

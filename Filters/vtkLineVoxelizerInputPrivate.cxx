@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace vtkLineVoxelizerPrivate
 {
@@ -24,6 +25,10 @@ namespace
 
 /// Lines that one task reads: enough to outweigh its cost, few enough to share the work.
 constexpr vtkIdType LinesPerBlock = 512;
+
+/// Largest radius, in units of the longest side of the lines' bounds: a tube of it holds all lines
+/// and the camera. Rounding is not to lift it above the mapper's own limit of 4.
+constexpr double LargestRadius = 4.0 * (1.0 - 1e-9);
 
 /// What one task finds in its lines; joined in the order of the blocks.
 struct Findings
@@ -468,7 +473,6 @@ void Input::ReadRadii(const ValueRequest& request, std::vector<std::string>& mes
         value = 0.0;
         ++this->NumberOfInvalidRadii;
       }
-      this->MaximumRadius = std::max(this->MaximumRadius, value);
     }
   }
   if (this->NumberOfInvalidRadii > 0)
@@ -476,6 +480,7 @@ void Input::ReadRadii(const ValueRequest& request, std::vector<std::string>& mes
     messages.push_back(std::to_string(this->NumberOfInvalidRadii) + " radii of array " +
       request.RadiusArrayName + " are negative or not finite and taken as 0.");
   }
+  this->LimitRadii(values, request.RadiusArrayName, messages);
   if (!(this->MaximumRadius > 0.0))
   {
     messages.push_back("No radius of array " + request.RadiusArrayName +
@@ -492,6 +497,50 @@ void Input::ReadRadii(const ValueRequest& request, std::vector<std::string>& mes
       radii[j] = static_cast<float>(values[i][j] / this->MaximumRadius);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void Input::LimitRadii(std::vector<std::vector<double>>& radii, const std::string& name,
+  std::vector<std::string>& messages)
+{
+  double side = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    side = std::max(side, this->Bounds[2 * axis + 1] - this->Bounds[2 * axis]);
+  }
+  // A single point has no size that a radius could be held against.
+  const double largest = side > 0.0 ? LargestRadius * side : std::numeric_limits<double>::max();
+  vtkIdType clamped = 0;
+  for (std::vector<double>& values : radii)
+  {
+    for (double& value : values)
+    {
+      clamped += value > largest ? 1 : 0;
+      value = std::min(value, largest);
+      this->MaximumRadius = std::max(this->MaximumRadius, value);
+    }
+  }
+  // Half a step of the bytes rounds up.
+  const double smallest = 0.5 / 255.0 * this->MaximumRadius;
+  vtkIdType vanishing = 0;
+  for (const std::vector<double>& values : radii)
+  {
+    vanishing += std::count_if(values.begin(), values.end(),
+      [smallest](double value) { return value > 0.0 && value < smallest; });
+  }
+  const auto add = [&](vtkIdType number, const char* what, double limit, const char* remedy)
+  {
+    if (number > 0)
+    {
+      std::ostringstream text;
+      text << number << " radii of array " << name << what << limit << remedy;
+      messages.push_back(text.str());
+    }
+  };
+  add(clamped, " are more than 4 times the size of all lines and taken as ", largest,
+    "; correct these radii.");
+  add(vanishing, " are above 0 but less than 1/510 of the largest one, ", this->MaximumRadius,
+    ", and become 0 in 8 bits; where they are to be seen, reduce the largest radii.");
 }
 
 //------------------------------------------------------------------------------

@@ -93,7 +93,7 @@ public:
   /// connection: index of the input connection that the line set comes from.
   void AddLineSet(vtkPolyData* lines, int connection);
 
-  /// Read the values. What cannot be used is told in messages.
+  /// Read the values, after FindCurves(). What cannot be used is told in messages.
   void ReadValues(const ValueRequest& request, std::vector<std::string>& messages);
 
   /// Find the curves of all lines, their bounds, and count what cannot be used.
@@ -131,6 +131,10 @@ private:
   bool ChooseArray(std::size_t i, const ValueRequest& request, std::vector<std::string>& messages);
   void ReadScalars(const ValueRequest& request);
   void ReadRadii(const ValueRequest& request, std::vector<std::string>& messages);
+  /// Clamp radii that dwarf the lines, find the largest one, and tell of those that are changed or
+  /// too small for a byte of it.
+  void LimitRadii(std::vector<std::vector<double>>& radii, const std::string& name,
+    std::vector<std::string>& messages);
 };
 
 }

@@ -350,6 +350,23 @@ void TestRadii(Checks& check)
       "bad radii: 0");
   }
 
+  // Values in 8 bits of the largest: 0.5 / 255 of it is the smallest that is not lost.
+  radii->Fill(0.5);
+  radii->SetComponent(1, 0, 0.49 * 0.5 / 255);
+  radii->SetComponent(2, 0, 0.51 * 0.5 / 255);
+  radii->SetComponent(3, 0, 0.0);
+  radii->Modified();
+  scene.Run();
+  check(scene.Warns("1 radii of array Values are above 0 but less than 1/510"), "lost in 8 bits");
+  radii->Fill(0.5);
+  radii->SetComponent(1, 0, 1e300);
+  radii->SetComponent(4, 0, 4.1);
+  radii->SetComponent(5, 0, 3.9);
+  radii->Modified();
+  model = scene.Run();
+  check(scene.Warns("2 radii of array Values are more than 4 times"), "huge radii: said once");
+  check(std::abs(model->GetMaximumRadius() - 4.0) < 1e-6, "huge radii: clamped");
+
   radii->Fill(0.0);
   radii->Modified();
   check(!scene.Run()->GetRadii() && scene.Warns("above 0"), "no radius above 0");
