@@ -21,12 +21,16 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 #include <utility>
 
 namespace
 {
 // An early end that no sum of opacities reaches: rays end behind opaque lines only.
 constexpr float NeverEarly = 2.0f;
+
+// Largest radius, in units of the longest side of the grid.
+constexpr double LargestRadius = 4.0;
 
 // Points are selected on top of a picture that was drawn just before; this much nearer, in units of
 // the depth buffer, so that rounding between two engines does not matter.
@@ -80,13 +84,25 @@ int vtkVoxelLinePainter::ChooseEngine(int engine, vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-vtkVoxelLineFrameBuilder::Grid vtkVoxelLinePainter::GetGrid(const Scene& scene)
+vtkVoxelLineFrameBuilder::Grid vtkVoxelLinePainter::GetGrid(const Scene& scene, Warnings& warnings)
 {
   vtkVoxelLineFrameBuilder::Grid grid;
   scene.Model->GetOrigin(grid.Origin);
   scene.Model->GetDimensions(grid.Dimensions);
   grid.VoxelSize = scene.Model->GetVoxelSize();
   grid.Margin = scene.Radius / grid.VoxelSize;
+  // Beyond this, single precision would lose the lines in their tubes.
+  const double largest =
+    LargestRadius * *std::max_element(grid.Dimensions, grid.Dimensions + 3);
+  if (grid.Margin > largest)
+  {
+    grid.Margin = largest;
+    std::ostringstream message;
+    message << "The radius " << scene.Radius << " is more than " << LargestRadius
+            << " times the size of all lines; the lines are drawn with the radius "
+            << largest * grid.VoxelSize << ". Set a smaller one.";
+    warnings[HugeRadius] = message.str();
+  }
   return grid;
 }
 
@@ -137,7 +153,7 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
   wanted.Engine = ChooseEngine(scene.Mapper->GetEngine(), window);
   this->EngineInUse = wanted.Engine;
 
-  const vtkVoxelLineFrameBuilder::Grid grid = GetGrid(scene);
+  const vtkVoxelLineFrameBuilder::Grid grid = GetGrid(scene, warnings);
   const vtkVoxelLineFrameBuilder::View view =
     vtkVoxelLineFrameBuilder::GetView(renderer, actor, viewport[2], viewport[3]);
   vtkVoxelLineFrame& frame = wanted.Frame;
@@ -294,7 +310,8 @@ std::string vtkVoxelLinePainter::DrawNumbers(const Scene& scene, vtkHardwareSele
   wanted.Model = scene.Model;
   wanted.ModelTime = scene.Model->GetMTime();
   wanted.Frame.Picking = true;
-  const vtkVoxelLineFrameBuilder::Grid grid = GetGrid(scene);
+  Warnings ignored; // the picture has told them
+  const vtkVoxelLineFrameBuilder::Grid grid = GetGrid(scene, ignored);
   const std::string error = vtkVoxelLineFrameBuilder::SetView(wanted.Frame, view, grid);
   if (!error.empty())
   {

@@ -61,6 +61,7 @@ public:
   {
     NoSceneDepth,      ///< the depth of the scene cannot be read
     OverlappingCurves, ///< the engine could not tell all curves in a pixel apart
+    HugeRadius,        ///< the radius is far larger than all lines together
     NoPoints           ///< points were to be selected in a model
   };
   using Warnings = std::map<WarningKind, std::string>;
@@ -108,7 +109,7 @@ private:
   };
 
   void ReleaseTimer();
-  static vtkVoxelLineFrameBuilder::Grid GetGrid(const Scene& scene);
+  static vtkVoxelLineFrameBuilder::Grid GetGrid(const Scene& scene, Warnings& warnings);
   std::string DrawPicture(const Scene& scene, vtkRenderer* renderer, vtkActor* actor,
     vtkOpenGLRenderWindow* window, const int viewport[4], Warnings& warnings);
   std::string CastPicture(const Scene& scene, vtkRenderer* renderer, vtkOpenGLRenderWindow* window,

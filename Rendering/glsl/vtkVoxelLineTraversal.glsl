@@ -9,7 +9,7 @@
 // the radius of that way. Thereby every segment near the ray is tested exactly once, and whatever
 // later slabs hold begins behind the start of the next widened slab: hits before it can be blended.
 //
-// Hits wait unsorted in a small buffer and leave it by (entry, segment). Where it overflows, the ray
+// Hits wait in a small buffer, ordered by (entry, segment). Where it overflows, the ray
 // remembers the first hit that did not fit, blends what comes before, and visits the slabs again for
 // what is left: no hit is lost.
 //
@@ -66,8 +66,11 @@ int StrideU;
 int StrideV;
 int StrideW;
 
-// Hits that were found and not blended yet.
+// Hits that were found and not blended yet; HitOrder lists their places, the farthest first, and
+// behind them the places that are free again.
 int HitCount;
+int HitPlaces;
+int HitOrder[HitCapacity];
 Real HitEntry[HitCapacity];
 Real HitLeave[HitCapacity];
 uint HitSegment[HitCapacity];
@@ -208,20 +211,35 @@ bool isBefore(Real entry0, uint segment0, Real entry1, uint segment1)
 
 void keepHit(Real entry, Real leave, uint segment, int brick, ivec3 voxel)
 {
-  int slot = HitCount;
-  if (HitCount == HitCapacity)
+  // Hits that are farther keep the places before it.
+  int farther = 0;
+  int place = HitPlaces;
+  if (HitCount < HitCapacity)
   {
-    int last = 0;
-    for (int i = 1; i < HitCapacity; ++i)
+    if (HitCount < HitPlaces)
     {
-      if (isBefore(HitEntry[last], HitSegment[last], HitEntry[i], HitSegment[i]))
-      {
-        last = i;
-      }
+      place = HitOrder[HitCount];
     }
-    bool replace = isBefore(entry, segment, HitEntry[last], HitSegment[last]);
-    Real lostEntry = replace ? HitEntry[last] : entry;
-    uint lostSegment = replace ? HitSegment[last] : segment;
+    else
+    {
+      HitPlaces = HitPlaces + 1;
+    }
+    farther = HitCount;
+    HitCount = HitCount + 1;
+    while (farther > 0 && isBefore(HitEntry[HitOrder[farther - 1]], HitSegment[HitOrder[farther - 1]],
+                            entry, segment))
+    {
+      HitOrder[farther] = HitOrder[farther - 1];
+      farther = farther - 1;
+    }
+  }
+  else
+  {
+    // The farthest one is lost for now.
+    place = HitOrder[0];
+    bool replace = isBefore(entry, segment, HitEntry[place], HitSegment[place]);
+    Real lostEntry = replace ? HitEntry[place] : entry;
+    uint lostSegment = replace ? HitSegment[place] : segment;
     if (isBefore(lostEntry, lostSegment, OverflowEntry, OverflowSegment))
     {
       OverflowEntry = lostEntry;
@@ -231,17 +249,19 @@ void keepHit(Real entry, Real leave, uint segment, int brick, ivec3 voxel)
     {
       return;
     }
-    slot = last;
+    while (farther + 1 < HitCapacity && isBefore(entry, segment, HitEntry[HitOrder[farther + 1]],
+                                          HitSegment[HitOrder[farther + 1]]))
+    {
+      HitOrder[farther] = HitOrder[farther + 1];
+      farther = farther + 1;
+    }
   }
-  else
-  {
-    HitCount = HitCount + 1;
-  }
-  HitEntry[slot] = entry;
-  HitLeave[slot] = leave;
-  HitSegment[slot] = segment;
-  HitBrick[slot] = brick;
-  HitVoxel[slot] = voxel;
+  HitOrder[farther] = place;
+  HitEntry[place] = entry;
+  HitLeave[place] = leave;
+  HitSegment[place] = segment;
+  HitBrick[place] = brick;
+  HitVoxel[place] = voxel;
 }
 
 void visitSegment(uint segment, int brick, ivec3 voxel, vec3 local, Real t)
@@ -433,14 +453,7 @@ bool blendHits(Real limit)
 {
   while (HitCount > 0 && !Finished)
   {
-    int first = 0;
-    for (int i = 1; i < HitCount; ++i)
-    {
-      if (isBefore(HitEntry[i], HitSegment[i], HitEntry[first], HitSegment[first]))
-      {
-        first = i;
-      }
-    }
+    int first = HitOrder[HitCount - 1];
     Real entry = HitEntry[first];
     uint segment = HitSegment[first];
     if (entry >= limit || !isBefore(entry, segment, OverflowEntry, OverflowSegment))
@@ -459,11 +472,6 @@ bool blendHits(Real limit)
     int brick = HitBrick[first];
     ivec3 voxel = HitVoxel[first];
     HitCount = HitCount - 1;
-    HitEntry[first] = HitEntry[HitCount];
-    HitLeave[first] = HitLeave[HitCount];
-    HitSegment[first] = HitSegment[HitCount];
-    HitBrick[first] = HitBrick[HitCount];
-    HitVoxel[first] = HitVoxel[HitCount];
     LastEntry = entry;
     LastSegment = segment;
     blendHit(entry, leave, segment, brick, voxel);
@@ -534,10 +542,10 @@ bool visitSlab(int slab)
 {
   // Truncation serves as floor for what lies in the grid: what lies before it becomes its first row.
   Real at = Real(slab);
-  int uFirst = int(max(LowU + SlopeU * at, Real(0)));
-  int uLast = min(int(HighU + SlopeU * at + Real(1)), SizeU) - 1;
-  int vFirst = int(max(LowV + SlopeV * at, Real(0)));
-  int vLast = min(int(HighV + SlopeV * at + Real(1)), SizeV) - 1;
+  int uFirst = int(clamp(LowU + SlopeU * at, Real(0), Real(SizeU)));
+  int uLast = int(clamp(HighU + SlopeU * at + Real(1), Real(0), Real(SizeU))) - 1;
+  int vFirst = int(clamp(LowV + SlopeV * at, Real(0), Real(SizeV)));
+  int vLast = int(clamp(HighV + SlopeV * at + Real(1), Real(0), Real(SizeV))) - 1;
 
   bool any = false;
   int cellW = (slab >> 2) * StrideW;
@@ -589,8 +597,8 @@ int countEmptySlabs(int slab, int way)
 {
   Real u = BaseU + SlopeU * (Real(slab) + Real(0.5));
   Real v = BaseV + SlopeV * (Real(slab) + Real(0.5));
-  int cellU = min(int(max(u, Real(0))), SizeU - 1) >> 2;
-  int cellV = min(int(max(v, Real(0))), SizeV - 1) >> 2;
+  int cellU = int(clamp(u, Real(0), Real(SizeU - 1))) >> 2;
+  int cellV = int(clamp(v, Real(0), Real(SizeV - 1))) >> 2;
   int cellW = slab >> 2;
   int distance = -fetchBrickGrid(cellU * StrideU + cellV * StrideV + cellW * StrideW);
   if (distance <= 0)
@@ -665,6 +673,12 @@ void clipToGrid(LS_INOUT(Real) start, LS_INOUT(Real) end)
   }
 }
 
+// The slab at a place along the major axis, or the one nearest to it.
+int slabAt(Real w, int slabs)
+{
+  return int(clamp(w, Real(0), Real(slabs - 1)));
+}
+
 void castRay(vec3 origin, vec3 direction, Real start, Real end)
 {
   RayOrigin = origin;
@@ -680,6 +694,7 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
   RayEnd = end;
   RayLimit = end;
   HitCount = 0;
+  HitPlaces = 0;
   InsideCount = 0;
   StartsInside = false;
   ActiveCount = 0;
@@ -703,8 +718,8 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
   Real widening = Real(way) * Radius;
   Real atStart = origin[AxisW] + direction[AxisW] * gridStart - widening;
   Real atEnd = origin[AxisW] + direction[AxisW] * gridEnd + widening;
-  int firstSlab = clamp(int(floor(atStart)), 0, slabs - 1);
-  int lastSlab = clamp(int(floor(atEnd)), 0, slabs - 1);
+  int firstSlab = slabAt(atStart, slabs);
+  int lastSlab = slabAt(atEnd, slabs);
   int resumeEnd = firstSlab;
 
   bool mayBeEmpty = true;
@@ -721,7 +736,7 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
     {
       Real back = origin[AxisW] + direction[AxisW] * OverflowEntry - widening;
       resumeEnd = slab;
-      slab = clamp(int(floor(back)) - way, 0, slabs - 1);
+      slab = slabAt(back - Real(way), slabs);
       slab = way > 0 ? max(slab, firstSlab) : min(slab, firstSlab);
       HitCount = 0;
       OverflowEntry = Beyond;
