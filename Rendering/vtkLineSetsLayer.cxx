@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLineSetsLayer.h"
 
+#define LINESETS_USE_OPENGL
+#include "vtkLineSetsCompatibilityPrivate.h"
+
 #include "vtkAbstractMapper.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
@@ -10,6 +13,7 @@
 #include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkProp.h"
 #include "vtkShaderProgram.h"
@@ -170,7 +174,13 @@ std::string vtkLineSetsLayer::Draw(vtkOpenGLRenderWindow* window, vtkAbstractMap
     }
   }
 
-  vtkOpenGLRenderUtilities::DrawFullScreenQuad();
+  {
+    // The property's culling is about the surface of tubes; the quad always faces the front.
+    vtkOpenGLState* state = window->GetState();
+    vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+    state->vtkglDisable(GL_CULL_FACE);
+    vtkOpenGLRenderUtilities::DrawFullScreenQuad();
+  }
   vao->Release();
   this->Depth->Deactivate();
   this->Color->Deactivate();

@@ -17,6 +17,7 @@
 #include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVoxelLineModel.h"
+#include "vtkVoxelLineShaderUniforms.h"
 #include "vtkWeakPointer.h"
 
 #include "vtkVoxelLineCapsule.h"
@@ -35,6 +36,18 @@
 
 namespace
 {
+/// Errors of others are theirs to report. Returns false where they do not end.
+bool ForgetGLErrors()
+{
+  // A context without a window reports errors without end, hence the limit.
+  int errors = 0;
+  while (errors < 16 && glGetError() != GL_NO_ERROR)
+  {
+    ++errors;
+  }
+  return errors < 16;
+}
+
 /// A buffer of the model and the texture through which the shader reads it.
 struct BufferTexture
 {
@@ -47,11 +60,8 @@ struct BufferTexture
     std::size_t valueSize, unsigned int format, int components, int vtkType)
   {
     this->Bytes = values * components * valueSize;
-    while (glGetError() != GL_NO_ERROR)
-    {
-      // Errors of others are theirs to report.
-    }
-    if (!this->Buffer->Upload(static_cast<const unsigned char*>(data), this->Bytes,
+    if (!ForgetGLErrors() ||
+      !this->Buffer->Upload(static_cast<const unsigned char*>(data), this->Bytes,
           vtkOpenGLBufferObject::TextureBuffer) ||
       glGetError() != GL_NO_ERROR)
     {
@@ -71,6 +81,26 @@ struct BufferTexture
   }
 };
 
+/// Whether samples are being counted by somebody else.
+bool IsQueryUnderWay(vtkOpenGLRenderWindow* window)
+{
+  int major = 0;
+  int minor = 0;
+  window->GetOpenGLVersion(major, minor);
+  const int version = 10 * major + minor;
+  GLint query = 0;
+  glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &query);
+  if (query == 0 && version >= 33)
+  {
+    glGetQueryiv(GL_ANY_SAMPLES_PASSED, GL_CURRENT_QUERY, &query);
+  }
+  if (query == 0 && version >= 43)
+  {
+    glGetQueryiv(GL_ANY_SAMPLES_PASSED_CONSERVATIVE, GL_CURRENT_QUERY, &query);
+  }
+  return query != 0;
+}
+
 /// The integer formats by size of a number.
 unsigned int UnsignedFormat(int size)
 {
@@ -83,6 +113,10 @@ struct vtkVoxelLineShaderEngine::Internals
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkWeakPointer<vtkVoxelLineModel> Model;
   vtkMTimeType ModelTime = 0;
+  // The model that found no room, and what was said: it is not tried again in every frame.
+  vtkWeakPointer<vtkVoxelLineModel> FailedModel;
+  vtkMTimeType FailedTime = 0;
+  std::string FailedError;
   std::map<std::string, BufferTexture> Buffers;
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;
@@ -103,16 +137,21 @@ struct vtkVoxelLineShaderEngine::Internals
     return false;
   }
 
-  void Release(vtkWindow* window);
+  void ReleaseBuffers(vtkWindow* window);
+  void ReleaseTargets(vtkWindow* window);
+  bool IsContextGone() const;
+  void Forget();
+  void Release();
   bool Check(vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame);
   bool UploadModel(vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model);
   bool UploadArray(vtkOpenGLRenderWindow* window, const char* name, vtkDataArray* array,
     unsigned int format, int components = 1);
   bool UploadTable(vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame);
   bool PrepareTargets(vtkOpenGLRenderWindow* window, int width, int height);
+  bool BindTargets(vtkOpenGLRenderWindow* window);
   bool PrepareQuad(vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model,
     const vtkVoxelLineFrame& frame, bool hasScene);
-  void SetUniforms(vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame);
+  void ActivateBuffers();
   void CountOverflows(vtkOpenGLRenderWindow* window);
 };
 
@@ -154,28 +193,77 @@ std::string MakeConstants(
 }
 }
 
-void vtkVoxelLineShaderEngine::Internals::Release(vtkWindow* window)
+void vtkVoxelLineShaderEngine::Internals::ReleaseBuffers(vtkWindow* window)
 {
   for (auto& buffer : this->Buffers)
   {
     buffer.second.Release(window);
   }
   this->Buffers.clear();
-  this->Quad.reset();
-  this->QuadKind.clear();
+  this->Model = nullptr;
+  this->ModelTime = 0;
+}
+
+void vtkVoxelLineShaderEngine::Internals::ReleaseTargets(vtkWindow* window)
+{
   this->Framebuffer->ReleaseGraphicsResources(window);
-  this->CountQuad.reset();
   this->CountFramebuffer->ReleaseGraphicsResources(window);
-  if (this->CountQuery != 0 && window)
-  {
-    glDeleteQueries(1, &this->CountQuery);
-  }
-  this->CountQuery = 0;
   this->Color->ReleaseGraphicsResources(window);
   this->Depth->ReleaseGraphicsResources(window);
   this->Size[0] = this->Size[1] = 0;
+}
+
+bool vtkVoxelLineShaderEngine::Internals::IsContextGone() const
+{
+  // A window releases textures by itself before its context goes, but not buffers.
+  return !this->Window ||
+    (!this->Buffers.empty() && this->Buffers.begin()->second.Texture->GetHandle() == 0);
+}
+
+void vtkVoxelLineShaderEngine::Internals::Forget()
+{
+  // What went with its context must not be deleted by number in another one, which VTK's objects
+  // would do at their end: these few small objects are left behind without an owner.
+  for (auto& buffer : this->Buffers)
+  {
+    buffer.second.Buffer->Register(nullptr);
+  }
+  this->Quad.release();
+  this->CountQuad.release();
+  this->CountQuery = 0;
+}
+
+void vtkVoxelLineShaderEngine::Internals::Release()
+{
+  // Buffers, queries and vertex arrays are numbers that every context gives anew: they are deleted
+  // while the context is current that they were made in.
+  vtkOpenGLRenderWindow* window = this->Window;
+  const bool gone = this->IsContextGone();
+  if (gone)
+  {
+    this->Forget();
+  }
+  else
+  {
+    window->PushContext();
+    this->ReleaseBuffers(window);
+    this->Quad.reset();
+    this->CountQuad.reset();
+    if (this->CountQuery != 0)
+    {
+      glDeleteQueries(1, &this->CountQuery);
+    }
+    this->ReleaseTargets(window);
+    window->PopContext();
+  }
+  this->Buffers.clear();
+  this->QuadKind.clear();
+  this->CountQuery = 0;
+  this->Size[0] = this->Size[1] = 0;
   this->Model = nullptr;
   this->ModelTime = 0;
+  this->FailedModel = nullptr;
+  this->FailedTime = 0;
   this->Window = nullptr;
 }
 
@@ -240,7 +328,12 @@ bool vtkVoxelLineShaderEngine::Internals::UploadModel(
   {
     return true;
   }
+  if (this->FailedModel == model && this->FailedTime == model->GetMTime())
+  {
+    return this->Fail(this->FailedError);
+  }
   this->Model = nullptr;
+  this->FailedModel = nullptr;
   vtkDataArray* extension = model->GetCurveIdExtension();
   const bool direct = model->GetAttributeKind() == vtkVoxelLineModel::Color;
   const bool uploaded = this->UploadArray(window, "BrickGrid", model->GetBrickGrid(), GL_R32I) &&
@@ -258,6 +351,14 @@ bool vtkVoxelLineShaderEngine::Internals::UploadModel(
   {
     this->Model = model;
     this->ModelTime = model->GetMTime();
+  }
+  else
+  {
+    // A part of a model is of no use: others may need its memory.
+    this->ReleaseBuffers(window);
+    this->FailedModel = model;
+    this->FailedTime = model->GetMTime();
+    this->FailedError = this->Error;
   }
   return uploaded;
 }
@@ -277,30 +378,50 @@ bool vtkVoxelLineShaderEngine::Internals::PrepareTargets(
   {
     return true;
   }
-  this->Framebuffer->SetContext(window);
-  this->Color->SetContext(window);
-  this->Depth->SetContext(window);
-  if (this->Size[0] == 0)
+  int largest = 0;
+  window->GetState()->vtkglGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  const std::string size = std::to_string(width) + " by " + std::to_string(height) + " pixels";
+  if (width > largest || height > largest)
   {
-    this->Color->SetMinificationFilter(vtkTextureObject::Nearest);
-    this->Color->SetMagnificationFilter(vtkTextureObject::Nearest);
-    this->Depth->SetMinificationFilter(vtkTextureObject::Nearest);
-    this->Depth->SetMagnificationFilter(vtkTextureObject::Nearest);
-    if (!this->Color->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR) ||
-      !this->Depth->Allocate2D(width, height, 2, VTK_FLOAT))
-    {
-      return this->Fail("There is no memory on the graphics device for a picture of " +
-        std::to_string(width) + " by " + std::to_string(height) + " pixels.");
-    }
+    return this->Fail("The picture has " + size + "; a texture of this OpenGL has at most " +
+      std::to_string(largest) + " (GL_MAX_TEXTURE_SIZE) in each direction.");
   }
-  else
+  for (vtkTextureObject* texture : { this->Color.Get(), this->Depth.Get() })
   {
-    this->Color->Resize(width, height);
-    this->Depth->Resize(width, height);
+    texture->SetContext(window);
+    texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  }
+  // Not Resize(), which does not tell whether there was memory.
+  if (!ForgetGLErrors() ||
+    !this->Color->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR) ||
+    !this->Depth->Allocate2D(width, height, 2, VTK_FLOAT) || glGetError() != GL_NO_ERROR)
+  {
+    this->ReleaseTargets(window);
+    return this->Fail("There is no memory on the graphics device for a picture of " + size + ".");
   }
   this->Size[0] = width;
   this->Size[1] = height;
   return true;
+}
+
+bool vtkVoxelLineShaderEngine::Internals::BindTargets(vtkOpenGLRenderWindow* window)
+{
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Color);
+  this->Framebuffer->AddColorAttachment(1, this->Depth);
+  this->Framebuffer->ActivateDrawBuffers(2);
+  const unsigned int status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE)
+  {
+    std::ostringstream os;
+    os << "This OpenGL cannot draw into a picture of " << this->Size[0] << " by " << this->Size[1]
+       << " pixels (framebuffer status 0x" << std::hex << status << ").";
+    this->ReleaseTargets(window);
+    return this->Fail(os.str());
+  }
+  return this->Framebuffer->Start(this->Size[0], this->Size[1]);
 }
 
 bool vtkVoxelLineShaderEngine::Internals::PrepareQuad(vtkOpenGLRenderWindow* window,
@@ -327,8 +448,7 @@ bool vtkVoxelLineShaderEngine::Internals::PrepareQuad(vtkOpenGLRenderWindow* win
   return true;
 }
 
-void vtkVoxelLineShaderEngine::Internals::SetUniforms(
-  vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame)
+void vtkVoxelLineShaderEngine::Internals::ActivateBuffers()
 {
   vtkShaderProgram* program = this->Quad->Program;
   for (auto& buffer : this->Buffers)
@@ -340,91 +460,16 @@ void vtkVoxelLineShaderEngine::Internals::SetUniforms(
       program->SetUniformi(buffer.first.c_str(), buffer.second.Texture->GetTextureUnit());
     }
   }
-  const auto set1 = [program](const char* name, float value)
-  {
-    if (program->IsUniformUsed(name))
-    {
-      program->SetUniformf(name, value);
-    }
-  };
-  const auto set3 = [program](const char* name, const glm::vec3& value)
-  {
-    if (program->IsUniformUsed(name))
-    {
-      program->SetUniform3f(name, &value[0]);
-    }
-  };
-  const float pictureSize[2] = { static_cast<float>(frame.Width), static_cast<float>(frame.Height) };
-  program->SetUniform2f("PictureSize", pictureSize);
-  program->SetUniform3fv("RayOrigins", 3, &frame.Origin[0][0]);
-  program->SetUniform3fv("RayDirections", 3, &frame.Direction[0][0]);
-  set1("NearestS", frame.NearestS);
-  set1("FarthestS", frame.FarthestS);
-  program->SetUniform2f("DepthZ", &frame.DepthZ[0]);
-  program->SetUniform2f("DepthW", &frame.DepthW[0]);
-  if (!frame.ClippingPlanes.empty())
-  {
-    program->SetUniform4fv(
-      "Planes", static_cast<int>(frame.ClippingPlanes.size()), &frame.ClippingPlanes[0][0]);
-  }
-  int size[3];
-  model->GetDimensions(size);
-  set3("GridSize", glm::vec3(size[0], size[1], size[2]));
-  model->GetBrickDimensions(size);
-  set3("BrickGridSize", glm::vec3(size[0], size[1], size[2]));
-  set1("Radius", frame.Radius);
-  set3("AmbientColor", frame.AmbientColor);
-  set3("DiffuseColor", frame.DiffuseColor);
-  set3("SpecularColor", frame.SpecularColor * frame.Specular);
-  set1("Ambient", frame.Ambient);
-  set1("Diffuse", frame.Diffuse);
-  set1("SpecularPower", frame.SpecularPower);
-  set1("Opacity", frame.Opacity);
-  set1("EarlyTermination", frame.EarlyTermination);
-  glm::mat4 view = frame.ViewFromLocal;
-  glm::mat3 normal = frame.NormalFromLocal;
-  if (program->IsUniformUsed("ViewFromLocal"))
-  {
-    program->SetUniformMatrix4x4("ViewFromLocal", &view[0][0]);
-  }
-  if (program->IsUniformUsed("NormalFromLocal"))
-  {
-    program->SetUniformMatrix3x3("NormalFromLocal", &normal[0][0]);
-  }
-
-  const int lights = static_cast<int>(frame.Lights.size());
-  if (lights == 0)
-  {
-    return;
-  }
-  std::vector<int> kinds;
-  std::vector<float> directions;
-  std::vector<float> positions;
-  std::vector<float> colors;
-  std::vector<float> attenuations;
-  std::vector<float> spots;
-  const auto append = [](std::vector<float>& values, const glm::vec3& v)
-  { values.insert(values.end(), { v.x, v.y, v.z }); };
-  for (const vtkVoxelLineLight& light : frame.Lights)
-  {
-    kinds.push_back(light.Kind);
-    append(directions, light.Direction);
-    append(positions, light.Position);
-    append(colors, light.Color);
-    append(attenuations, light.Attenuation);
-    spots.insert(spots.end(), { light.CosConeAngle, light.Exponent });
-  }
-  program->SetUniform1iv("LightKind", lights, kinds.data());
-  program->SetUniform3fv("LightDirection", lights, directions.data());
-  program->SetUniform3fv("LightPosition", lights, positions.data());
-  program->SetUniform3fv("LightColor", lights, colors.data());
-  program->SetUniform3fv("LightAttenuation", lights, attenuations.data());
-  program->SetUniform2fv("LightSpot", lights, spots.data());
 }
 
 void vtkVoxelLineShaderEngine::Internals::CountOverflows(vtkOpenGLRenderWindow* window)
 {
   this->NumberOfOverflows = 0;
+  // Occlusion queries do not nest, and the one of depth peeling may be under way.
+  if (IsQueryUnderWay(window))
+  {
+    return;
+  }
   if (!this->CountQuad)
   {
     this->CountQuad.reset(
@@ -433,6 +478,7 @@ void vtkVoxelLineShaderEngine::Internals::CountOverflows(vtkOpenGLRenderWindow* 
   }
   if (!this->CountQuad->Program)
   {
+    // The shader program has told its error itself.
     return;
   }
   // Its own framebuffer: the texture that is read must not be attached to the one that is drawn to.
@@ -458,16 +504,20 @@ vtkVoxelLineShaderEngine::vtkVoxelLineShaderEngine()
 {
 }
 
-vtkVoxelLineShaderEngine::~vtkVoxelLineShaderEngine() = default;
+vtkVoxelLineShaderEngine::~vtkVoxelLineShaderEngine()
+{
+  this->Data->Release();
+}
 
 bool vtkVoxelLineShaderEngine::Render(vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model,
   const vtkVoxelLineFrame& frame, vtkTextureObject* sceneDepth)
 {
   Internals& data = *this->Data;
   data.Error.clear();
-  if (data.Window != window)
+  if (data.Window != window || data.IsContextGone())
   {
-    data.Release(data.Window);
+    data.Release();
+    window->MakeCurrent();
     data.Window = window;
   }
   if (frame.Width < 1 || frame.Height < 1)
@@ -502,21 +552,16 @@ bool vtkVoxelLineShaderEngine::Render(vtkOpenGLRenderWindow* window, vtkVoxelLin
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglDepthMask(GL_FALSE);
 
-    data.Framebuffer->SetContext(window);
-    data.Framebuffer->Bind();
-    data.Framebuffer->AddColorAttachment(0, data.Color);
-    data.Framebuffer->AddColorAttachment(1, data.Depth);
-    data.Framebuffer->ActivateDrawBuffers(2);
-    data.Framebuffer->Start(frame.Width, frame.Height);
-
-    if (data.PrepareQuad(window, model, frame, sceneDepth != nullptr))
+    if (data.BindTargets(window) &&
+      data.PrepareQuad(window, model, frame, sceneDepth != nullptr))
     {
       if (sceneDepth)
       {
         sceneDepth->Activate();
         data.Quad->Program->SetUniformi("SceneDepth", sceneDepth->GetTextureUnit());
       }
-      data.SetUniforms(model, frame);
+      data.ActivateBuffers();
+      vtkVoxelLineShaderUniforms::Set(data.Quad->Program, model, frame);
       data.Quad->Render();
       for (auto& buffer : data.Buffers)
       {
@@ -569,7 +614,7 @@ vtkIdType vtkVoxelLineShaderEngine::GetNumberOfBytes() const
   return bytes;
 }
 
-void vtkVoxelLineShaderEngine::ReleaseGraphicsResources(vtkWindow* window)
+void vtkVoxelLineShaderEngine::ReleaseGraphicsResources(vtkWindow* vtkNotUsed(window))
 {
-  this->Data->Release(window);
+  this->Data->Release();
 }

@@ -33,7 +33,8 @@ public:
    * Render one picture into the engine's own textures. The model is uploaded when it or the window
    * changed. sceneDepth is a depth texture of the frame's size or nullptr; frame.SceneDepth is not
    * used. Returns false, with the reason in GetError(), where the context cannot do it or
-   * memory does not suffice.
+   * memory does not suffice; a model that did not fit is not uploaded again before it or the window
+   * changes.
    */
   bool Render(vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model,
     const vtkVoxelLineFrame& frame, vtkTextureObject* sceneDepth);
@@ -48,13 +49,17 @@ public:
   const std::string& GetError() const;
 
   /// Number of pixels of the last picture in which more curves overlapped than the shader can tell
-  /// apart, so that one may have been blended twice at a joint; as vtkVoxelLinePicture tells.
+  /// apart, so that one may have been blended twice at a joint; as vtkVoxelLinePicture tells. 0 where
+  /// they could not be counted, since an occlusion query of somebody else was under way.
   vtkIdType GetNumberOfOverflows() const;
 
   /// Bytes on the graphics device: model, tables and picture.
   vtkIdType GetNumberOfBytes() const;
 
-  /// Release everything; may be called several times and before a change of window.
+  /**
+   * Release everything, in the context of the window in which it was made, whichever is given; may
+   * be called several times and before a change of window. What went with its window is forgotten. A model for which there was no memory is tried again after it.
+   */
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:

@@ -3,7 +3,7 @@
 //
 // Guards the mapper's way with windows: several viewports, several windows and actors, a change of
 // size, tiled output, release of resources and drawing again, viewports of no size, a model shared
-// by two mappers, and clipping planes.
+// by two mappers, culling of faces, and clipping planes.
 
 #include "VoxelLineMapperTesting.h"
 #include "vtkLineVoxelizer.h"
@@ -279,6 +279,19 @@ void CheckActors(Checks& check, vtkPolyData* lines, double opacity)
   check(difference.Rms < 2.0, "actors with a matrix" + Describe(difference));
 }
 
+// Culling is about surfaces: the picture of the lines is drawn as a quad that faces the front.
+void CheckCulling(Checks& check, vtkPolyData* lines, double opacity)
+{
+  Stage stage;
+  auto actor = stage.Add(MakeMapper(lines), opacity);
+  SetCamera(stage.Renderer);
+  const Picture plain = stage.Render();
+  actor->GetProperty()->FrontfaceCullingOn();
+  check(Compare(plain, stage.Render()).Largest == 0, "with culling of front faces");
+  actor->GetProperty()->BackfaceCullingOn();
+  check(Compare(plain, stage.Render()).Largest == 0, "with culling of all faces");
+}
+
 void CheckClippingPlanes(Checks& check, vtkPolyData* lines)
 {
   auto mapper = MakeMapper(lines);
@@ -342,6 +355,7 @@ int TestVoxelLineMapperWindows(int, char*[])
     CheckNoSize(check, lines, opacity);
     CheckSharedModel(check, lines, opacity);
     CheckActors(check, lines, opacity);
+    CheckCulling(check, lines, opacity);
   }
   CheckClippingPlanes(check, lines);
   check(messages->IsQuiet(), "no errors and no warnings");

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVoxelLineShaderUniforms.h"
+
+#include "vtkShaderProgram.h"
+#include "vtkVoxelLineFrame.h"
+#include "vtkVoxelLineModel.h"
+
+#include <vector>
+
+void vtkVoxelLineShaderUniforms::Set(
+  vtkShaderProgram* program, vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame)
+{
+  const auto set1 = [program](const char* name, float value)
+  {
+    if (program->IsUniformUsed(name))
+    {
+      program->SetUniformf(name, value);
+    }
+  };
+  const auto set3 = [program](const char* name, const glm::vec3& value)
+  {
+    if (program->IsUniformUsed(name))
+    {
+      program->SetUniform3f(name, &value[0]);
+    }
+  };
+  const float pictureSize[2] = { static_cast<float>(frame.Width), static_cast<float>(frame.Height) };
+  program->SetUniform2f("PictureSize", pictureSize);
+  program->SetUniform3fv("RayOrigins", 3, &frame.Origin[0][0]);
+  program->SetUniform3fv("RayDirections", 3, &frame.Direction[0][0]);
+  set1("NearestS", frame.NearestS);
+  set1("FarthestS", frame.FarthestS);
+  program->SetUniform2f("DepthZ", &frame.DepthZ[0]);
+  program->SetUniform2f("DepthW", &frame.DepthW[0]);
+  if (!frame.ClippingPlanes.empty())
+  {
+    program->SetUniform4fv(
+      "Planes", static_cast<int>(frame.ClippingPlanes.size()), &frame.ClippingPlanes[0][0]);
+  }
+  int size[3];
+  model->GetDimensions(size);
+  set3("GridSize", glm::vec3(size[0], size[1], size[2]));
+  model->GetBrickDimensions(size);
+  set3("BrickGridSize", glm::vec3(size[0], size[1], size[2]));
+  set1("Radius", frame.Radius);
+  set3("AmbientColor", frame.AmbientColor);
+  set3("DiffuseColor", frame.DiffuseColor);
+  set3("SpecularColor", frame.SpecularColor * frame.Specular);
+  set1("Ambient", frame.Ambient);
+  set1("Diffuse", frame.Diffuse);
+  set1("SpecularPower", frame.SpecularPower);
+  set1("Opacity", frame.Opacity);
+  set1("EarlyTermination", frame.EarlyTermination);
+  glm::mat4 view = frame.ViewFromLocal;
+  glm::mat3 normal = frame.NormalFromLocal;
+  if (program->IsUniformUsed("ViewFromLocal"))
+  {
+    program->SetUniformMatrix4x4("ViewFromLocal", &view[0][0]);
+  }
+  if (program->IsUniformUsed("NormalFromLocal"))
+  {
+    program->SetUniformMatrix3x3("NormalFromLocal", &normal[0][0]);
+  }
+
+  const int lights = static_cast<int>(frame.Lights.size());
+  if (lights == 0)
+  {
+    return;
+  }
+  std::vector<int> kinds;
+  std::vector<float> directions;
+  std::vector<float> positions;
+  std::vector<float> colors;
+  std::vector<float> attenuations;
+  std::vector<float> spots;
+  const auto append = [](std::vector<float>& values, const glm::vec3& v)
+  { values.insert(values.end(), { v.x, v.y, v.z }); };
+  for (const vtkVoxelLineLight& light : frame.Lights)
+  {
+    kinds.push_back(light.Kind);
+    append(directions, light.Direction);
+    append(positions, light.Position);
+    append(colors, light.Color);
+    append(attenuations, light.Attenuation);
+    spots.insert(spots.end(), { light.CosConeAngle, light.Exponent });
+  }
+  program->SetUniform1iv("LightKind", lights, kinds.data());
+  program->SetUniform3fv("LightDirection", lights, directions.data());
+  program->SetUniform3fv("LightPosition", lights, positions.data());
+  program->SetUniform3fv("LightColor", lights, colors.data());
+  program->SetUniform3fv("LightAttenuation", lights, attenuations.data());
+  program->SetUniform2fv("LightSpot", lights, spots.data());
+}

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @namespace vtkVoxelLineShaderUniforms
+ * @brief     hands the numbers of a frame to the ray casting shader
+ */
+
+#ifndef vtkVoxelLineShaderUniforms_h
+#define vtkVoxelLineShaderUniforms_h
+
+class vtkShaderProgram;
+class vtkVoxelLineModel;
+struct vtkVoxelLineFrame;
+
+namespace vtkVoxelLineShaderUniforms
+{
+/// Set what this kind of shader uses of the frame and of the model's grid; program is in use, and
+/// the frame has no more clipping planes and lights than it takes. Textures are not set.
+void Set(vtkShaderProgram* program, vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame);
+}
+
+#endif
