@@ -23,6 +23,11 @@
 
 namespace
 {
+// Part of the scalars' range below which a lookup table's range has too few of their 255 steps, and
+// the ratio of values above which the smallest ones of a logarithmic table have too few.
+constexpr double FewSteps = 1.0 / 16.0;
+constexpr double WideRatio = 100.0;
+
 bool SelectsByName(vtkMapper* mapper)
 {
   const int mode = mapper->GetScalarMode();
@@ -42,6 +47,29 @@ vtkScalarsToColors* GetLookupTable(vtkMapper* mapper, vtkDataArray* array)
   vtkScalarsToColors* table = mapper->GetLookupTable();
   table->Build();
   return table;
+}
+
+// The table over the range that VTK's mappers would map with.
+vtkScalarsToColors* GetLookupTableInRange(vtkMapper* mapper, vtkDataArray* array)
+{
+  vtkScalarsToColors* table = GetLookupTable(mapper, array);
+  if (!mapper->GetUseLookupTableScalarRange())
+  {
+    table->SetRange(mapper->GetScalarRange());
+  }
+  return table;
+}
+
+// As in vtkMapper, the table's own factor of opacity does not count.
+vtkSmartPointer<vtkUnsignedCharArray> MapWithoutAlpha(
+  vtkScalarsToColors* table, vtkDataArray* values, int colorMode, int component)
+{
+  const double alpha = table->GetAlpha();
+  table->SetAlpha(1.0);
+  const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(
+    table->MapScalars(static_cast<vtkAbstractArray*>(values), colorMode, component));
+  table->SetAlpha(alpha);
+  return colors;
 }
 
 // The part of a vector whose length a lookup table in magnitude mode maps.
@@ -162,9 +190,15 @@ vtkVoxelLineColoring::Source vtkVoxelLineColoring::Select(vtkMapper* mapper, vtk
   const int mode = mapper->GetColorMode();
   source.Array = array;
   source.Direct = mode == VTK_COLOR_MODE_DIRECT_SCALARS ||
-    (mode == VTK_COLOR_MODE_DEFAULT && array->GetDataType() == VTK_UNSIGNED_CHAR) ||
-    (components > 1 && mapper->GetArrayComponent() < 0 &&
-      table->GetVectorMode() == vtkScalarsToColors::RGBCOLORS);
+    (mode == VTK_COLOR_MODE_DEFAULT && array->GetDataType() == VTK_UNSIGNED_CHAR);
+  if (!source.Direct && components > 1 && mapper->GetArrayComponent() < 0 &&
+    table->GetVectorMode() == vtkScalarsToColors::RGBCOLORS)
+  {
+    source.Direct = true;
+    const double* range = GetLookupTableInRange(mapper, array)->GetRange();
+    source.ColorMapping = { range[0], range[1], static_cast<double>(table->GetVectorComponent()),
+      static_cast<double>(table->GetVectorSize()) };
+  }
   if (!source.Direct)
   {
     source.Component = GetComponent(mapper, table, components);
@@ -185,9 +219,8 @@ vtkSmartPointer<vtkDataArray> vtkVoxelLineColoring::Convert(vtkMapper* mapper, c
   }
   if (source.Direct)
   {
-    vtkScalarsToColors* table = GetLookupTable(mapper, source.Array);
-    return vtkSmartPointer<vtkDataArray>::Take(
-      table->MapScalars(source.Array, mapper->GetColorMode(), mapper->GetArrayComponent()));
+    return MapWithoutAlpha(GetLookupTableInRange(mapper, source.Array), source.Array,
+      mapper->GetColorMode(), mapper->GetArrayComponent());
   }
   if (source.Component >= 0 || source.NumberOfComponents == source.Array->GetNumberOfComponents())
   {
@@ -226,23 +259,14 @@ void vtkVoxelLineColoring::SetColors(
   frame.Coloring = vtkVoxelLineFrame::Table;
   frame.HasNaN = model->GetHasNaNAttribute();
 
-  vtkScalarsToColors* table = GetLookupTable(mapper, nullptr);
-  if (!mapper->GetUseLookupTableScalarRange())
-  {
-    table->SetRange(mapper->GetScalarRange());
-  }
+  vtkScalarsToColors* table = GetLookupTableInRange(mapper, nullptr);
   vtkNew<vtkDoubleArray> values;
   GetAttributeValues(model, values);
   if (table->GetIndexedLookup())
   {
     SnapToAnnotations(table, values);
   }
-  // As in vtkMapper, the table's own factor of opacity does not count.
-  const double alpha = table->GetAlpha();
-  table->SetAlpha(1.0);
-  const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(
-    table->MapScalars(static_cast<vtkAbstractArray*>(values), VTK_COLOR_MODE_MAP_SCALARS, 0));
-  table->SetAlpha(alpha);
+  const auto colors = MapWithoutAlpha(table, values, VTK_COLOR_MODE_MAP_SCALARS, 0);
   for (int i = 0; i < 256; ++i)
   {
     for (int k = 0; k < 4; ++k)
@@ -250,6 +274,41 @@ void vtkVoxelLineColoring::SetColors(
       frame.ColorTable[i][k] = static_cast<float>(colors->GetTypedComponent(i, k)) / 255.0f;
     }
   }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLineColoring::DescribeSteps(vtkMapper* mapper, vtkVoxelLineModel* model)
+{
+  if (!mapper->GetScalarVisibility() || !model->GetAttributes() ||
+    model->GetAttributeKind() != vtkVoxelLineModel::Scalar)
+  {
+    return std::string();
+  }
+  vtkScalarsToColors* table = GetLookupTableInRange(mapper, nullptr);
+  const double* shown = table->GetRange();
+  const double* stored = model->GetAttributeRange();
+  // Half of each, which does not overflow.
+  const double part = 0.5 * shown[1] - 0.5 * shown[0];
+  const double whole = 0.5 * stored[1] - 0.5 * stored[0];
+  if (!(whole > 0.0) || table->GetIndexedLookup())
+  {
+    return std::string();
+  }
+  const double low = std::max(shown[0], stored[0]);
+  const double high = std::min(shown[1], stored[1]);
+  const bool isWide = table->UsingLogScale() && low > 0.0 && high / low > WideRatio;
+  if (part >= FewSteps * whole && !isWide)
+  {
+    return std::string();
+  }
+  std::ostringstream text;
+  text << "Colours show steps: the model holds scalars in 8 bits over their range, " << stored[0]
+       << " to " << stored[1] << ", and the lookup table spreads "
+       << (isWide ? "the small ones of them logarithmically over " : "a small part of it, ")
+       << shown[0] << " to " << shown[1] << ". "
+       << (isWide ? "Colour by an array of the logarithms instead."
+                  : "Clamp the array to the range of the table, or widen that range.");
+  return text.str();
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkVoxelLineFrame.h"
 
+#include <array>
 #include <string>
 
 class vtkMapper;
@@ -40,6 +41,9 @@ public:
     int NumberOfComponents = 1;
     /// Whether the values are colours.
     bool Direct = false;
+    /// What of the lookup table makes the colours where its vector mode is RGBCOLORS: range, vector
+    /// component and vector size; else zeros.
+    std::array<double, 4> ColorMapping{};
     /// Why there is no array, where one was asked for.
     std::string Warning;
 
@@ -47,7 +51,8 @@ public:
     {
       return this->Array == other.Array && this->PerCell == other.PerCell &&
         this->Component == other.Component && this->FirstComponent == other.FirstComponent &&
-        this->NumberOfComponents == other.NumberOfComponents && this->Direct == other.Direct;
+        this->NumberOfComponents == other.NumberOfComponents && this->Direct == other.Direct &&
+        this->ColorMapping == other.ColorMapping;
     }
   };
 
@@ -66,6 +71,12 @@ public:
 
   /// Fill colouring and table of a frame from the mapper's lookup table and the model's attributes.
   static void SetColors(vtkVoxelLineFrame& frame, vtkMapper* mapper, vtkVoxelLineModel* model);
+
+  /**
+   * That the 8 bits of a model's scalars show as steps of colour, where the lookup table spreads a
+   * small part of their range; empty where it does not.
+   */
+  static std::string DescribeSteps(vtkMapper* mapper, vtkVoxelLineModel* model);
 
   /// Whether the model has direct colours that let something through.
   static bool HasTranslucentColors(vtkVoxelLineModel* model);

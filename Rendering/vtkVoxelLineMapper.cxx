@@ -33,6 +33,9 @@ constexpr const char* AttributeName = "vtkVoxelLineMapperAttribute";
 // Automatic radius: this part of the longest side of the bounds.
 constexpr double AutomaticRadius = 1.0 / 512.0;
 
+// Kind of the mapper's own warning, beside those of the painter.
+constexpr int StepsWarning = -1;
+
 double GetLongestSide(const double bounds[6])
 {
   return std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
@@ -42,7 +45,7 @@ double GetLongestSide(const double bounds[6])
 class vtkVoxelLineMapper::vtkInternals
 {
 public:
-  vtkNew<vtkLineVoxelizer> Voxelizer;
+  vtkSmartPointer<vtkLineVoxelizer> Voxelizer = vtkSmartPointer<vtkLineVoxelizer>::New();
   vtkSmartPointer<vtkVoxelLineModel> Model;
   vtkVoxelLinePainter Painter;
 
@@ -50,7 +53,6 @@ public:
   vtkSmartPointer<vtkPolyData> Input;
   vtkMTimeType InputTime = 0;
   vtkVoxelLineColoring::Source Source;
-  vtkMTimeType SourceTime = 0;
 
   // Answer of HasTranslucentColors() for the model at a time.
   vtkVoxelLineModel* TranslucencyModel = nullptr;
@@ -61,6 +63,19 @@ public:
   std::string LastError;
   std::string LastColorWarning;
   std::set<std::pair<vtkMTimeType, int>> Warned;
+
+  // Draw another model than that of lines. What was made of lines is let go, with a new voxelizer:
+  // the old one's output is left to whom GetModel() gave it.
+  void SetSharedModel(vtkVoxelLineModel* model)
+  {
+    if (this->Input)
+    {
+      this->Voxelizer = vtkSmartPointer<vtkLineVoxelizer>::New();
+    }
+    this->Input = nullptr;
+    this->Source = vtkVoxelLineColoring::Source();
+    this->Model = model;
+  }
 
   bool HasTranslucentColors()
   {
@@ -222,8 +237,7 @@ vtkVoxelLineModel* vtkVoxelLineMapper::GetModel()
   vtkInternals& internals = *this->Internals;
   if (this->GetNumberOfInputConnections(0) == 0)
   {
-    internals.Input = nullptr;
-    internals.Model = nullptr;
+    internals.SetSharedModel(nullptr);
     return nullptr;
   }
   // Does nothing where Static is on.
@@ -231,8 +245,7 @@ vtkVoxelLineModel* vtkVoxelLineMapper::GetModel()
   vtkDataObject* input = this->GetExecutive()->GetInputData(0, 0);
   if (auto* model = vtkVoxelLineModel::SafeDownCast(input))
   {
-    internals.Input = nullptr;
-    internals.Model = model;
+    internals.SetSharedModel(model);
     this->ModelBuildTime = 0.0;
   }
   else if (auto* lines = vtkPolyData::SafeDownCast(input))
@@ -241,8 +254,7 @@ vtkVoxelLineModel* vtkVoxelLineMapper::GetModel()
   }
   else
   {
-    internals.Input = nullptr;
-    internals.Model = nullptr;
+    internals.SetSharedModel(nullptr);
   }
   return internals.Model;
 }
@@ -419,6 +431,12 @@ void vtkVoxelLineMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   // An executing pipeline may have made another context current.
   renderer->GetRenderWindow()->MakeCurrent();
+  const std::string defect = model ? model->FindDefect() : std::string();
+  if (!defect.empty())
+  {
+    this->ErrorOnce(defect);
+    return;
+  }
   if (!model || model->GetNumberOfSegments() == 0)
   {
     return;
@@ -439,6 +457,12 @@ void vtkVoxelLineMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     {
       vtkWarningMacro(<< text);
     }
+  }
+  // After the picture, which has brought the lookup table's range up to date.
+  const std::string steps = vtkVoxelLineColoring::DescribeSteps(this, model);
+  if (!steps.empty() && this->Internals->Warned.emplace(model->GetMTime(), StepsWarning).second)
+  {
+    vtkWarningMacro(<< steps);
   }
   this->EngineInUse = this->Internals->Painter.GetEngineInUse();
   this->TimeToDraw = this->Internals->Painter.GetSeconds();

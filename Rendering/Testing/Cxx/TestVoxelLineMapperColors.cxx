@@ -312,6 +312,72 @@ void CheckDirectColors(Checks& check)
   check(IsNear(color, { 127, 255, 0 }, 2), "floating point colours" + Describe(color));
 }
 
+// A table's factor of opacity counts for neither kind; the range of a table that makes colours of
+// vectors does.
+void CheckTableOfDirectColors(Checks& check)
+{
+  BarStage stage;
+  stage.Lines->GetPointData()->SetScalars(MakePointArray<vtkUnsignedCharArray>(
+    "c", 3, [](int, double, int c) { return c == 0 ? 255 : 0; }));
+  vtkNew<vtkLookupTable> table;
+  table->SetAlpha(0.3);
+  table->SetRange(0.0, 1.0);
+  stage.Mapper->SetLookupTable(table);
+  stage.Mapper->UseLookupTableScalarRangeOn();
+  auto color = stage.Sample(1, 0.2);
+  check(
+    IsNear(color, { 255, 0, 0 }, 1), "direct colours without the table's alpha" + Describe(color));
+  check(!stage.Mapper->HasTranslucentPolygonalGeometry() && table->GetAlpha() == 0.3,
+    "opaque, and the table as it was");
+
+  stage.Lines->GetPointData()->SetScalars(
+    MakePointArray<vtkDoubleArray>("v", 3, [](int, double, int c) { return c == 1 ? 1.0 : 0.5; }));
+  table->SetVectorModeToRGBColors();
+  stage.Mapper->SetArrayComponent(-1);
+  color = stage.Sample(1, 0.2);
+  check(IsNear(color, { 127, 255, 127 }, 2), "colours of vectors" + Describe(color));
+  vtkVoxelLineModel* model = stage.Mapper->GetModel();
+  const vtkMTimeType built = model->GetMTime();
+  stage.Render();
+  check(model->GetMTime() == built, "the same table builds no new model");
+  table->SetRange(0.0, 2.0);
+  color = stage.Sample(1, 0.2);
+  check(IsNear(color, { 63, 127, 63 }, 2), "another range of the table" + Describe(color));
+}
+
+// 8 bits of a scalar show where a table spreads a small part of the range: said once per model.
+void CheckSteps(Checks& check, Messages* messages)
+{
+  BarStage stage;
+  stage.Lines->GetPointData()->SetScalars(MakePointArray<vtkDoubleArray>(
+    "s", 1, [](int i, double, int) { return i == 3 ? 1000.0 : 1.0 + i; }));
+  vtkNew<vtkLookupTable> table;
+  stage.Mapper->SetLookupTable(table);
+  stage.Mapper->UseLookupTableScalarRangeOn();
+  check(messages->IsQuiet(), "nothing said so far");
+  table->SetRange(0.0, 70.0);
+  stage.Render();
+  check(messages->IsQuiet(), "a 14th of the range is enough");
+  table->SetRange(0.0, 50.0);
+  stage.Render();
+  table->SetRange(0.0, 40.0);
+  stage.Render();
+  check(messages->TakeWarnings(
+          "1 to 1000, and the lookup table spreads a small part of it, 0 to 50") == 1,
+    "one warning about a 20th of the range");
+  stage.Lines->GetPointData()->GetScalars()->Modified();
+  stage.Lines->Modified();
+  table->SetRange(10.0, 1000.0);
+  table->SetScaleToLog10();
+  stage.Render();
+  check(messages->IsQuiet(), "two decades are enough");
+  table->SetRange(1.0, 1000.0);
+  stage.Render();
+  stage.Render();
+  check(messages->TakeWarnings("logarithmically over 1 to 1000") == 1,
+    "one warning about three decades");
+}
+
 void CheckCellScalars(Checks& check)
 {
   BarStage stage;
@@ -381,6 +447,8 @@ int TestVoxelLineMapperColors(int, char*[])
   CheckIndexedTable(check);
   CheckVectors(check);
   CheckDirectColors(check);
+  CheckTableOfDirectColors(check);
+  CheckSteps(check, messages);
   CheckCellScalars(check);
   CheckArraysThatDoNotFit(check, messages);
   return check.GetResult();
