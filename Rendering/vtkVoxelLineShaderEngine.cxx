@@ -155,44 +155,6 @@ struct vtkVoxelLineShaderEngine::Internals
   void CountOverflows(vtkOpenGLRenderWindow* window);
 };
 
-namespace
-{
-// As many clipping planes as OpenGL guarantees, and lights that fit into the uniforms that
-// OpenGL 3.2 guarantees.
-constexpr int MaximumPlanes = 8;
-constexpr int MaximumLights = 16;
-
-/// The constants that make one kind of shader out of the common source.
-std::string MakeConstants(
-  vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene)
-{
-  int faceBits = 0;
-  while ((1 << faceBits) < model->GetFaceBins())
-  {
-    ++faceBits;
-  }
-  std::ostringstream os;
-  const auto constant = [&os](const char* type, const char* name, int value)
-  { os << "const " << type << " " << name << " = " << type << "(" << value << ");\n"; };
-  constant("int", "MaximumPlanes", MaximumPlanes);
-  constant("int", "MaximumLights", MaximumLights);
-  constant("int", "PlaneCount", static_cast<int>(frame.ClippingPlanes.size()));
-  constant("int", "LightCount", static_cast<int>(frame.Lights.size()));
-  constant("int", "SegmentWords", model->GetSegmentWords());
-  constant("int", "FaceBits", faceBits);
-  constant("int", "InteriorBins", std::max(model->GetInteriorBins(), 1));
-  constant("int", "Coloring", frame.Coloring);
-  constant("bool", "HasRadii", model->GetRadii() ? 1 : 0);
-  constant("bool", "IdExtension", model->GetCurveIdExtension() ? 1 : 0);
-  constant("bool", "HasNaN", frame.HasNaN ? 1 : 0);
-  constant("bool", "Lighting", frame.Lighting && !frame.Picking ? 1 : 0);
-  constant("bool", "Picking", frame.Picking ? 1 : 0);
-  constant("bool", "AllOpaque", frame.IsOpaque() ? 1 : 0);
-  constant("bool", "HasScene", hasScene ? 1 : 0);
-  return os.str();
-}
-}
-
 void vtkVoxelLineShaderEngine::Internals::ReleaseBuffers(vtkWindow* window)
 {
   for (auto& buffer : this->Buffers)
@@ -270,6 +232,7 @@ void vtkVoxelLineShaderEngine::Internals::Release()
 bool vtkVoxelLineShaderEngine::Internals::Check(
   vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame)
 {
+  using namespace vtkVoxelLineShaderUniforms;
   int major = 0;
   int minor = 0;
   window->GetOpenGLVersion(major, minor);
@@ -427,7 +390,7 @@ bool vtkVoxelLineShaderEngine::Internals::BindTargets(vtkOpenGLRenderWindow* win
 bool vtkVoxelLineShaderEngine::Internals::PrepareQuad(vtkOpenGLRenderWindow* window,
   vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene)
 {
-  const std::string kind = MakeConstants(model, frame, hasScene);
+  const std::string kind = vtkVoxelLineShaderUniforms::MakeConstants(model, frame, hasScene);
   if (!this->Quad || this->QuadKind != kind)
   {
     std::string source = std::string("//VTK::System::Dec\n//VTK::Output::Dec\n") +

@@ -6,7 +6,38 @@
 #include "vtkVoxelLineFrame.h"
 #include "vtkVoxelLineModel.h"
 
+#include <algorithm>
+#include <sstream>
 #include <vector>
+
+std::string vtkVoxelLineShaderUniforms::MakeConstants(
+  vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene)
+{
+  int faceBits = 0;
+  while ((1 << faceBits) < model->GetFaceBins())
+  {
+    ++faceBits;
+  }
+  std::ostringstream os;
+  const auto constant = [&os](const char* type, const char* name, int value)
+  { os << "const " << type << " " << name << " = " << type << "(" << value << ");\n"; };
+  constant("int", "MaximumPlanes", MaximumPlanes);
+  constant("int", "MaximumLights", MaximumLights);
+  constant("int", "PlaneCount", static_cast<int>(frame.ClippingPlanes.size()));
+  constant("int", "LightCount", static_cast<int>(frame.Lights.size()));
+  constant("int", "SegmentWords", model->GetSegmentWords());
+  constant("int", "FaceBits", faceBits);
+  constant("int", "InteriorBins", std::max(model->GetInteriorBins(), 1));
+  constant("int", "Coloring", frame.Coloring);
+  constant("bool", "HasRadii", model->GetRadii() ? 1 : 0);
+  constant("bool", "IdExtension", model->GetCurveIdExtension() ? 1 : 0);
+  constant("bool", "HasNaN", frame.HasNaN ? 1 : 0);
+  constant("bool", "Lighting", frame.Lighting && !frame.Picking ? 1 : 0);
+  constant("bool", "Picking", frame.Picking ? 1 : 0);
+  constant("bool", "AllOpaque", frame.IsOpaque() ? 1 : 0);
+  constant("bool", "HasScene", hasScene ? 1 : 0);
+  return os.str();
+}
 
 void vtkVoxelLineShaderUniforms::Set(
   vtkShaderProgram* program, vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame)

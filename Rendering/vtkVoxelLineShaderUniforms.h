@@ -8,12 +8,23 @@
 #ifndef vtkVoxelLineShaderUniforms_h
 #define vtkVoxelLineShaderUniforms_h
 
+#include <string>
+
 class vtkShaderProgram;
 class vtkVoxelLineModel;
 struct vtkVoxelLineFrame;
 
 namespace vtkVoxelLineShaderUniforms
 {
+// As many clipping planes as OpenGL guarantees, and lights that fit into the uniforms that
+// OpenGL 3.2 guarantees.
+constexpr int MaximumPlanes = 8;
+constexpr int MaximumLights = 16;
+
+/// The constants that make one kind of shader out of the common source.
+std::string MakeConstants(
+  vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene);
+
 /// Set what this kind of shader uses of the frame and of the model's grid; program is in use, and
 /// the frame has no more clipping planes and lights than it takes. Textures are not set.
 void Set(vtkShaderProgram* program, vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame);
