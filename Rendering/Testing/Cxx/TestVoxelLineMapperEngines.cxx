@@ -57,7 +57,7 @@ std::vector<Case> MakeCases()
     values->SetName("r");
     for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
     {
-      values->InsertNextValue(0.06 * (0.5 + 0.5 * std::sin(0.2 * static_cast<double>(i))));
+      values->InsertNextValue(0.06 * (0.52 + 0.48 * std::sin(0.2 * static_cast<double>(i))));
     }
     lines->GetPointData()->AddArray(values);
     mapper->SetRadiusArrayName("r");
@@ -176,6 +176,46 @@ void CheckWindows(Checks& check)
   check(Compare(first, three.Render()).Largest == 0, "in a new window");
 }
 
+vtkSmartPointer<vtkVoxelLineMapper> MakeShaderMapper()
+{
+  auto mapper = vtkSmartPointer<vtkVoxelLineMapper>::New();
+  mapper->SetInputData(MakeHelices(3, 100));
+  mapper->SetResolution(32);
+  mapper->SetRadius(0.03);
+  mapper->SetEngineToShader();
+  return mapper;
+}
+
+// What the engine made in one window must not be deleted in another one, where its numbers name
+// what others made.
+void CheckForeignContext(Checks& check)
+{
+  Stage bystanders(60, 50);
+  auto native = MakeShaderMapper();
+  native->SetEngineToNative();
+  Arrange(bystanders, native, 0.5);
+  auto mapper = MakeShaderMapper();
+  Stage one(60, 50);
+  Arrange(one, mapper, 0.5);
+  const Picture first = one.Render();
+  const Picture other = bystanders.Render();
+  auto guest = bystanders.Add(mapper, 0.5);
+  guest->SetPosition(0.2, 0.0, 0.0);
+  const Picture both = bystanders.Render();
+  check(Compare(first, one.Render()).Largest == 0, "the engine's first window after the other");
+  check(Compare(both, bystanders.Render()).Largest == 0, "lines of two mappers in the other window");
+  check(Compare(first, one.Render()).Largest == 0, "the first window again");
+  // Now the engine's things lie in the first window, and the other one is current.
+  bystanders.Renderer->RemoveActor(guest);
+  guest = nullptr;
+  bystanders.Window->MakeCurrent();
+  one.Renderer->RemoveAllViewProps();
+  mapper = nullptr;
+  bystanders.Window->MakeCurrent();
+  check(
+    Compare(other, bystanders.Render()).Largest == 0, "the other window, after the mapper is gone");
+}
+
 void CheckLimit(Checks& check, Messages* messages)
 {
   vtkNew<vtkVoxelLineMapper> mapper;
@@ -225,6 +265,7 @@ int TestVoxelLineMapperEngines(int, char*[])
   auto messages = Listen();
   CheckSamePictures(check);
   CheckWindows(check);
+  CheckForeignContext(check);
   CheckLimit(check, messages);
   CheckChoice(check);
   check(messages->IsQuiet(), "no other errors and no warnings");
