@@ -226,10 +226,14 @@ void keepHit(Real entry, Real leave, uint segment, int brick, ivec3 voxel)
     }
     farther = HitCount;
     HitCount = HitCount + 1;
-    while (farther > 0 && isBefore(HitEntry[HitOrder[farther - 1]], HitSegment[HitOrder[farther - 1]],
-                            entry, segment))
+    while (farther > 0)
     {
-      HitOrder[farther] = HitOrder[farther - 1];
+      int nearer = HitOrder[farther - 1];
+      if (!isBefore(HitEntry[nearer], HitSegment[nearer], entry, segment))
+      {
+        break;
+      }
+      HitOrder[farther] = nearer;
       farther = farther - 1;
     }
   }
@@ -249,10 +253,14 @@ void keepHit(Real entry, Real leave, uint segment, int brick, ivec3 voxel)
     {
       return;
     }
-    while (farther + 1 < HitCapacity && isBefore(entry, segment, HitEntry[HitOrder[farther + 1]],
-                                          HitSegment[HitOrder[farther + 1]]))
+    while (farther + 1 < HitCapacity)
     {
-      HitOrder[farther] = HitOrder[farther + 1];
+      int next = HitOrder[farther + 1];
+      if (!isBefore(entry, segment, HitEntry[next], HitSegment[next]))
+      {
+        break;
+      }
+      HitOrder[farther] = next;
       farther = farther + 1;
     }
   }
