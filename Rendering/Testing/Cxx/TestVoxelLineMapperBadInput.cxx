@@ -203,11 +203,35 @@ void CheckProperties(Checks& check, Messages* messages)
       mapper->GetMTime() == time,
     "the last valid values stay");
   check(messages->IsQuiet(), "nothing else is said");
+  mapper->SetInteriorTolerance(Infinity);
+  check(mapper->GetInteriorTolerance() == Infinity && messages->IsQuiet(),
+    "an infinite InteriorTolerance keeps no point inside voxels");
 
   // 0 is an automatic radius: 1/512 of the longest side.
   mapper->SetInputData(MakeLines({ { { 0.0, 0.0, 0.0 }, { 20.48, 0.0, 1.0 } } }));
   mapper->SetRadius(0.0);
   check(std::abs(mapper->GetRadiusInUse() - 0.04) < 1e-12, "the automatic radius");
+}
+
+// A radius far beyond the lines: drawn, told once, and no crash.
+void CheckHugeRadius(Checks& check, Messages* messages)
+{
+  for (double radius : { 100.0, 1e9, 1e30, 1e300 })
+  {
+    vtkNew<vtkVoxelLineMapper> mapper;
+    mapper->SetInputData(MakeLines({ { { -0.5, 0.0, 0.0 }, { 0.5, 0.0, 0.0 } } }));
+    mapper->SetResolution(8);
+    mapper->SetRadius(radius);
+    mapper->SetEngineToNative();
+    Stage stage(32, 24);
+    stage.Add(mapper);
+    // On the lines: a camera that is to show 1e300 has no finite matrix.
+    stage.Renderer->ResetCamera(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5);
+    stage.Window->Render();
+    stage.Window->Render();
+    check(messages->TakeWarnings("times the size of all lines") == 1, "a huge radius is told once");
+  }
+  check(messages->IsQuiet(), "nothing else is said");
 }
 
 // Radii per point: used, missing, not usable.
@@ -254,6 +278,56 @@ void CheckRadii(Checks& check, Messages* messages)
   check(messages->TakeWarnings("missing") == 1, "one warning about missing radii");
 }
 
+// What was made of lines goes with them, except for whom GetModel() gave it.
+void CheckInputGoes(Checks& check, Messages* messages)
+{
+  vtkNew<vtkVoxelLineModel> empty;
+  for (vtkVoxelLineModel* next : { static_cast<vtkVoxelLineModel*>(nullptr), empty.Get() })
+  {
+    auto lines = MakeLines({ Good });
+    vtkNew<vtkVoxelLineMapper> mapper;
+    mapper->SetInputData(lines);
+    const vtkSmartPointer<vtkVoxelLineModel> model = mapper->GetModel();
+    vtkPoints* points = lines->GetPoints();
+    check(points->GetReferenceCount() == 2, "lines and mapper hold the points");
+    mapper->SetInputData(next);
+    check(mapper->GetModel() == next, "the new input is the model");
+    check(points->GetReferenceCount() == 1, "the mapper lets the points go");
+    check(model->GetReferenceCount() == 1 && model->GetNumberOfSegments() > 0,
+      "the mapper lets the model go, as it is");
+    mapper->SetInputData(lines);
+    check(mapper->GetModel() && mapper->GetModel()->GetNumberOfSegments() > 0, "lines again");
+  }
+  check(messages->IsQuiet(), "nothing is said");
+}
+
+// A shared model that lacks an array: an error, and nothing but the rest is drawn.
+void CheckDefectiveModel(Checks& check, Messages* messages)
+{
+  vtkNew<vtkLineVoxelizer> voxelizer;
+  voxelizer->SetInputData(MakeLines({ Good }));
+  voxelizer->Update();
+  vtkVoxelLineModel* model = voxelizer->GetOutput();
+  const vtkSmartPointer<vtkDataArray> grid = model->GetBrickGrid();
+  vtkNew<vtkVoxelLineMapper> mapper;
+  mapper->SetInputData(model);
+  mapper->SetRadius(0.1);
+  Stage stage;
+  stage.Add(mapper);
+  stage.Renderer->ResetCamera();
+  for (int engine : { vtkVoxelLineMapper::Native, vtkVoxelLineMapper::Shader })
+  {
+    mapper->SetEngine(engine);
+    model->SetBrickGrid(nullptr);
+    check(GetCoverage(stage.Render(), Background) == 0.0, "a model without its grid is not drawn");
+    stage.Render();
+    check(messages->TakeErrors("BrickGrid is missing") == 1, "one error about the missing grid");
+    model->SetBrickGrid(grid);
+    check(GetCoverage(stage.Render(), Background) > 0.01, "drawn when the grid comes");
+  }
+  check(messages->IsQuiet(), "nothing but the missing grid is said");
+}
+
 // Matrices that nothing can be seen by; clipping planes that leave nothing.
 void CheckScene(Checks& check, Messages* messages)
 {
@@ -294,7 +368,10 @@ int TestVoxelLineMapperBadInput(int, char*[])
   CheckInputs(check, messages);
   CheckNoInput(check, messages);
   CheckProperties(check, messages);
+  CheckHugeRadius(check, messages);
   CheckRadii(check, messages);
+  CheckInputGoes(check, messages);
+  CheckDefectiveModel(check, messages);
   CheckScene(check, messages);
   return check.GetResult();
 }
