@@ -256,11 +256,13 @@ public:
     : Model(model)
     , Reader(reader)
   {
+    vtkNew<vtkDoubleArray> coordinates;
+    coordinates->SetNumberOfComponents(3);
+    coordinates->SetNumberOfTuples(numberOfPoints);
     vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->SetNumberOfPoints(numberOfPoints);
+    points->SetData(coordinates);
     output->SetPoints(points);
-    this->Points = static_cast<double*>(points->GetVoidPointer(0));
+    this->Points = coordinates->GetPointer(0);
     vtkPointData* data = output->GetPointData();
     if (model->GetAttributes() && model->GetAttributeKind() == vtkVoxelLineModel::Color)
     {

@@ -11,7 +11,7 @@
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
+#include "vtkTransformFilter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
@@ -266,11 +266,11 @@ void CheckActors(Checks& check, vtkPolyData* lines, double opacity)
     // more.
     vtkNew<vtkTransform> transform;
     transform->SetMatrix(actor->GetMatrix());
-    vtkNew<vtkTransformPolyDataFilter> filter;
+    vtkNew<vtkTransformFilter> filter;
     filter->SetInputData(lines);
     filter->SetTransform(transform);
     filter->Update();
-    other.Add(MakeMapper(filter->GetOutput(), actor == right ? 0.05 : 0.06), opacity);
+    other.Add(MakeMapper(filter->GetPolyDataOutput(), actor == right ? 0.05 : 0.06), opacity);
   }
   other.Renderer->UseDepthPeelingOn();
   SetCamera(other.Renderer);
