@@ -6,8 +6,8 @@
  *
  * Seen along the ray, a tube is a segment in the plane widened by its radius, and the ray is one
  * point. The position of an endpoint in that plane is linear in the bins of its face, so that six
- * numbers per face replace decoding. The test errs on the safe side: the traversal intersects exactly
- * what it lets through. Only one-word segments are tested here.
+ * numbers per face replace decoding. The test errs on the safe side: the traversal intersects
+ * exactly what it lets through. Only one-word segments are tested here.
  */
 
 #ifndef vtkVoxelLineCandidates_h

@@ -20,8 +20,8 @@ inline Points Project(
   // The permutation takes the lowest three bits of the face.
   const __m256i face = _mm256_srl_epi32(code, _mm_cvtsi32_si128(2 * bits));
   const __m256 u = _mm256_cvtepi32_ps(_mm256_and_si256(code, bins));
-  const __m256 v = _mm256_cvtepi32_ps(
-    _mm256_and_si256(_mm256_srl_epi32(code, _mm_cvtsi32_si128(bits)), bins));
+  const __m256 v =
+    _mm256_cvtepi32_ps(_mm256_and_si256(_mm256_srl_epi32(code, _mm_cvtsi32_si128(bits)), bins));
   Points result;
   const auto look = [face](const float* table)
   { return _mm256_permutevar8x32_ps(_mm256_load_ps(table), face); };
@@ -35,8 +35,8 @@ inline Points Project(
 }
 }
 
-std::uint64_t vtkVoxelLineCandidatesAVX2(const std::uint32_t* words, int count,
-  const vtkVoxelLineProjection& projection, float x, float y)
+std::uint64_t vtkVoxelLineCandidatesAVX2(
+  const std::uint32_t* words, int count, const vtkVoxelLineProjection& projection, float x, float y)
 {
   const int bits = projection.FaceBits;
   const __m256i bins = _mm256_set1_epi32((1 << bits) - 1);
@@ -47,8 +47,8 @@ std::uint64_t vtkVoxelLineCandidatesAVX2(const std::uint32_t* words, int count,
   for (int i = 0; i < count; i += 8)
   {
     const int left = count - i;
-    const __m256i lanes = _mm256_cmpgt_epi32(
-      _mm256_set1_epi32(left), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    const __m256i lanes =
+      _mm256_cmpgt_epi32(_mm256_set1_epi32(left), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
     const __m256i start = _mm256_maskload_epi32(reinterpret_cast<const int*>(words + i), lanes);
     const __m256i end = _mm256_srl_epi32(start, _mm_cvtsi32_si128(2 * bits + 3));
     const Points a = Project(start, bins, bits, projection, cornerX, cornerY);
@@ -61,8 +61,8 @@ std::uint64_t vtkVoxelLineCandidatesAVX2(const std::uint32_t* words, int count,
     const __m256 a2 = _mm256_fmadd_ps(a.X, a.X, _mm256_mul_ps(a.Y, a.Y));
     const __m256 b2 = _mm256_fmadd_ps(b.X, b.X, _mm256_mul_ps(b.Y, b.Y));
     __m256 distance2 = _mm256_mul_ps(cross, cross);
-    distance2 = _mm256_blendv_ps(distance2, _mm256_mul_ps(a2, length2),
-      _mm256_cmp_ps(h, _mm256_setzero_ps(), _CMP_LE_OQ));
+    distance2 = _mm256_blendv_ps(
+      distance2, _mm256_mul_ps(a2, length2), _mm256_cmp_ps(h, _mm256_setzero_ps(), _CMP_LE_OQ));
     distance2 = _mm256_blendv_ps(
       distance2, _mm256_mul_ps(b2, length2), _mm256_cmp_ps(h, length2, _CMP_GE_OQ));
     const __m256 hit = _mm256_and_ps(_mm256_castsi256_ps(lanes),

@@ -34,13 +34,12 @@ inline __m512 Twice(const float* table)
   return _mm512_shuffle_f32x4(low, low, 0x44);
 }
 
-inline Points Project(
-  __m512i code, __m512i bins, int bits, const Tables& t, __m512 x, __m512 y)
+inline Points Project(__m512i code, __m512i bins, int bits, const Tables& t, __m512 x, __m512 y)
 {
   const __m512i face = _mm512_srl_epi32(code, _mm_cvtsi32_si128(2 * bits));
   const __m512 u = _mm512_cvtepi32_ps(_mm512_and_si512(code, bins));
-  const __m512 v = _mm512_cvtepi32_ps(
-    _mm512_and_si512(_mm512_srl_epi32(code, _mm_cvtsi32_si128(bits)), bins));
+  const __m512 v =
+    _mm512_cvtepi32_ps(_mm512_and_si512(_mm512_srl_epi32(code, _mm_cvtsi32_si128(bits)), bins));
   Points result;
   result.X = _mm512_add_ps(x, _mm512_permutexvar_ps(face, t.Base[0]));
   result.Y = _mm512_add_ps(y, _mm512_permutexvar_ps(face, t.Base[1]));
@@ -52,8 +51,8 @@ inline Points Project(
 }
 }
 
-std::uint64_t vtkVoxelLineCandidatesAVX512(const std::uint32_t* words, int count,
-  const vtkVoxelLineProjection& projection, float x, float y)
+std::uint64_t vtkVoxelLineCandidatesAVX512(
+  const std::uint32_t* words, int count, const vtkVoxelLineProjection& projection, float x, float y)
 {
   const int bits = projection.FaceBits;
   const __m512i bins = _mm512_set1_epi32((1 << bits) - 1);
@@ -85,8 +84,8 @@ std::uint64_t vtkVoxelLineCandidatesAVX512(const std::uint32_t* words, int count
       distance2, _mm512_cmp_ps_mask(h, _mm512_setzero_ps(), _CMP_LE_OQ), a2, length2);
     distance2 =
       _mm512_mask_mul_ps(distance2, _mm512_cmp_ps_mask(h, length2, _CMP_GE_OQ), b2, length2);
-    const __mmask16 hit = _mm512_mask_cmp_ps_mask(
-      lanes, distance2, _mm512_mul_ps(radius2, length2), _CMP_NGT_UQ);
+    const __mmask16 hit =
+      _mm512_mask_cmp_ps_mask(lanes, distance2, _mm512_mul_ps(radius2, length2), _CMP_NGT_UQ);
     mask |= static_cast<std::uint64_t>(hit) << i;
   }
   return mask;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVoxelLineCandidates.h"
 
-std::uint64_t vtkVoxelLineCandidatesGeneric(const std::uint32_t* words, int count,
-  const vtkVoxelLineProjection& projection, float x, float y)
+std::uint64_t vtkVoxelLineCandidatesGeneric(
+  const std::uint32_t* words, int count, const vtkVoxelLineProjection& projection, float x, float y)
 {
   const int bits = projection.FaceBits;
   const std::uint32_t bins = (1u << bits) - 1u;

@@ -66,7 +66,7 @@ vtkSmartPointer<vtkUnsignedCharArray> MapWithoutAlpha(
 {
   const double alpha = table->GetAlpha();
   table->SetAlpha(1.0);
-  const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(
+  auto colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(
     table->MapScalars(static_cast<vtkAbstractArray*>(values), colorMode, component));
   table->SetAlpha(alpha);
   return colors;

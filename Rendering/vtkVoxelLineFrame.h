@@ -8,13 +8,13 @@
  * and in grid-local or view coordinates: the world placement has been folded into the vectors in
  * double precision before.
  *
- * <b>Rays.</b> The ray of pixel (x,y), whose centre is (x + 1/2, y + 1/2) in pixels of the viewport,
- * passes the points O(x,y) + s D(x,y) in grid-local coordinates with
- * O = Origin[0] + (x + 1/2) Origin[1] + (y + 1/2) Origin[2] and D alike from Direction. s is the
- * distance along the view direction in world units, counted from a plane near the grid, so
- * that nothing is lost when the camera is far away; D has unit length along the view direction.
- * Only s in [NearestS, FarthestS] is visible. The depth of a point is
- * 0.5 (DepthZ[0] + s DepthZ[1]) / (DepthW[0] + s DepthW[1]) + 0.5.
+ * <b>Rays.</b> The ray of pixel (x,y), whose centre is (x + 1/2, y + 1/2) in pixels of the
+ * viewport, passes the points O(x,y) + s D(x,y) in grid-local coordinates with O = Origin[0] + (x +
+ * 1/2) Origin[1] + (y + 1/2) Origin[2] and D alike from Direction. s is the distance along the view
+ * direction in world units, counted from a plane near the grid, so that nothing is lost when the
+ * camera is far away; D has unit length along the view direction. Only s in [NearestS, FarthestS]
+ * is visible. The depth of a point is 0.5 (DepthZ[0] + s DepthZ[1]) / (DepthW[0] + s DepthW[1]) +
+ * 0.5.
  */
 
 #ifndef vtkVoxelLineFrame_h
@@ -28,8 +28,8 @@
 
 struct vtkVoxelLineLight
 {
-  /// Kind of light: 0 a directional light, 1 a positional one, 2 a spot light, 3 a headlight that is
-  /// the only light (VTK's lighting complexity 1, whose highlight depends on the normal alone).
+  /// Kind of light: 0 a directional light, 1 a positional one, 2 a spot light, 3 a headlight that
+  /// is the only light (VTK's lighting complexity 1, whose highlight depends on the normal alone).
   int Kind = 0;
   /// Direction in which the light shines, unit length, view coordinates.
   glm::vec3 Direction = glm::vec3(0.0f, 0.0f, -1.0f);

@@ -131,8 +131,8 @@ public:
   ///@{
   /**
    * How far a line may deviate inside a voxel before its points there are kept, in voxels, 0 or
-   * above. Default: vtkLineVoxelizer's. With infinity no such point is kept. Only for vtkPolyData. A
-   * negative value or NaN is an error.
+   * above. Default: vtkLineVoxelizer's. With infinity no such point is kept. Only for vtkPolyData.
+   * A negative value or NaN is an error.
    */
   virtual void SetInteriorTolerance(double tolerance);
   vtkGetMacro(InteriorTolerance, double);

@@ -37,7 +37,8 @@ struct vtkVoxelLinePicture
 class vtkVoxelLineNativeEngine
 {
 public:
-  /// Whether this processor runs the wide candidate tests, for information: "AVX-512", "AVX2", "generic".
+  /// Whether this processor runs the wide candidate tests, for information: "AVX-512", "AVX2",
+  /// "generic".
   static const char* GetInstructionSet();
 
   /// Render one picture. The model must not change meanwhile.

@@ -92,8 +92,7 @@ vtkVoxelLineFrameBuilder::Grid vtkVoxelLinePainter::GetGrid(const Scene& scene, 
   grid.VoxelSize = scene.Model->GetVoxelSize();
   grid.Margin = scene.Radius / grid.VoxelSize;
   // Beyond this, single precision would lose the lines in their tubes.
-  const double largest =
-    LargestRadius * *std::max_element(grid.Dimensions, grid.Dimensions + 3);
+  const double largest = LargestRadius * *std::max_element(grid.Dimensions, grid.Dimensions + 3);
   if (grid.Margin > largest)
   {
     grid.Margin = largest;
@@ -312,7 +311,7 @@ std::string vtkVoxelLinePainter::DrawNumbers(const Scene& scene, vtkHardwareSele
   wanted.Frame.Picking = true;
   Warnings ignored; // the picture has told them
   const vtkVoxelLineFrameBuilder::Grid grid = GetGrid(scene, ignored);
-  const std::string error = vtkVoxelLineFrameBuilder::SetView(wanted.Frame, view, grid);
+  std::string error = vtkVoxelLineFrameBuilder::SetView(wanted.Frame, view, grid);
   if (!error.empty())
   {
     return error;

@@ -62,7 +62,7 @@ struct BufferTexture
     this->Bytes = values * components * valueSize;
     if (!ForgetGLErrors() ||
       !this->Buffer->Upload(static_cast<const unsigned char*>(data), this->Bytes,
-          vtkOpenGLBufferObject::TextureBuffer) ||
+        vtkOpenGLBufferObject::TextureBuffer) ||
       glGetError() != GL_NO_ERROR)
     {
       return false;
@@ -190,8 +190,8 @@ void vtkVoxelLineShaderEngine::Internals::Forget()
   {
     buffer.second.Buffer->Register(nullptr);
   }
-  this->Quad.release();
-  this->CountQuad.release();
+  static_cast<void>(this->Quad.release());
+  static_cast<void>(this->CountQuad.release());
   this->CountQuery = 0;
 }
 
@@ -239,14 +239,15 @@ bool vtkVoxelLineShaderEngine::Internals::Check(
   if (major < 3 || (major == 3 && minor < 2))
   {
     return this->Fail("OpenGL " + std::to_string(major) + "." + std::to_string(minor) +
-      " has no texture buffers: the shader engine needs OpenGL 3.2; the native engine needs no more "
+      " has no texture buffers: the shader engine needs OpenGL 3.2; the native engine needs no "
+      "more "
       "than VTK itself.");
   }
   if (frame.ClippingPlanes.size() > MaximumPlanes)
   {
     return this->Fail(std::to_string(frame.ClippingPlanes.size()) +
-      " clipping planes are set, the shader engine takes at most " +
-      std::to_string(MaximumPlanes) + "; the native engine takes any number.");
+      " clipping planes are set, the shader engine takes at most " + std::to_string(MaximumPlanes) +
+      "; the native engine takes any number.");
   }
   if (frame.Lights.size() > MaximumLights)
   {
@@ -278,8 +279,9 @@ bool vtkVoxelLineShaderEngine::Internals::UploadArray(vtkOpenGLRenderWindow* win
   if (!buffer.Upload(window, values ? array->GetVoidPointer(0) : nothing, values ? values : 1,
         valueSize, format, components, type))
   {
-    return this->Fail("There is no memory on the graphics device for " + std::to_string(buffer.Bytes) +
-      " bytes of the model (array " + name + "). Lower the Resolution or use the native engine.");
+    return this->Fail("There is no memory on the graphics device for " +
+      std::to_string(buffer.Bytes) + " bytes of the model (array " + name +
+      "). Lower the Resolution or use the native engine.");
   }
   return true;
 }
@@ -356,8 +358,7 @@ bool vtkVoxelLineShaderEngine::Internals::PrepareTargets(
     texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   }
   // Not Resize(), which does not tell whether there was memory.
-  if (!ForgetGLErrors() ||
-    !this->Color->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR) ||
+  if (!ForgetGLErrors() || !this->Color->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR) ||
     !this->Depth->Allocate2D(width, height, 2, VTK_FLOAT) || glGetError() != GL_NO_ERROR)
   {
     this->ReleaseTargets(window);
@@ -398,13 +399,13 @@ bool vtkVoxelLineShaderEngine::Internals::PrepareQuad(vtkOpenGLRenderWindow* win
       vtkVoxelLineTraversal + vtkVoxelLinePixel + vtkVoxelLineFragment;
     vtkShaderProgram::Substitute(source, "//LineSets::Constants", kind);
     this->Quad.reset();
-    if (!window->GetShaderCache()->ReadyShaderProgram(
-          vtkVoxelLineVertex, source.c_str(), ""))
+    if (!window->GetShaderCache()->ReadyShaderProgram(vtkVoxelLineVertex, source.c_str(), ""))
     {
       return this->Fail("The ray casting shader does not compile with this OpenGL; the native "
                         "engine needs none.");
     }
-    this->Quad.reset(new vtkOpenGLQuadHelper(window, vtkVoxelLineVertex, source.c_str(), ""));
+    this->Quad =
+      std::make_unique<vtkOpenGLQuadHelper>(window, vtkVoxelLineVertex, source.c_str(), "");
     this->QuadKind = kind;
   }
   window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
@@ -435,8 +436,8 @@ void vtkVoxelLineShaderEngine::Internals::CountOverflows(vtkOpenGLRenderWindow* 
   }
   if (!this->CountQuad)
   {
-    this->CountQuad.reset(
-      new vtkOpenGLQuadHelper(window, vtkVoxelLineVertex, vtkVoxelLineCount, ""));
+    this->CountQuad =
+      std::make_unique<vtkOpenGLQuadHelper>(window, vtkVoxelLineVertex, vtkVoxelLineCount, "");
     glGenQueries(1, &this->CountQuery);
   }
   if (!this->CountQuad->Program)
@@ -515,8 +516,7 @@ bool vtkVoxelLineShaderEngine::Render(vtkOpenGLRenderWindow* window, vtkVoxelLin
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglDepthMask(GL_FALSE);
 
-    if (data.BindTargets(window) &&
-      data.PrepareQuad(window, model, frame, sceneDepth != nullptr))
+    if (data.BindTargets(window) && data.PrepareQuad(window, model, frame, sceneDepth != nullptr))
     {
       if (sceneDepth)
       {

@@ -49,8 +49,8 @@ public:
   const std::string& GetError() const;
 
   /// Number of pixels of the last picture in which more curves overlapped than the shader can tell
-  /// apart, so that one may have been blended twice at a joint; as vtkVoxelLinePicture tells. 0 where
-  /// they could not be counted, since an occlusion query of somebody else was under way.
+  /// apart, so that one may have been blended twice at a joint; as vtkVoxelLinePicture tells. 0
+  /// where they could not be counted, since an occlusion query of somebody else was under way.
   vtkIdType GetNumberOfOverflows() const;
 
   /// Bytes on the graphics device: model, tables and picture.
@@ -58,7 +58,8 @@ public:
 
   /**
    * Release everything, in the context of the window in which it was made, whichever is given; may
-   * be called several times and before a change of window. What went with its window is forgotten. A model for which there was no memory is tried again after it.
+   * be called several times and before a change of window. What went with its window is forgotten.
+   * A model for which there was no memory is tried again after it.
    */
   void ReleaseGraphicsResources(vtkWindow* window);
 

@@ -56,7 +56,8 @@ void vtkVoxelLineShaderUniforms::Set(
       program->SetUniform3f(name, &value[0]);
     }
   };
-  const float pictureSize[2] = { static_cast<float>(frame.Width), static_cast<float>(frame.Height) };
+  const float pictureSize[2] = { static_cast<float>(frame.Width),
+    static_cast<float>(frame.Height) };
   program->SetUniform2f("PictureSize", pictureSize);
   program->SetUniform3fv("RayOrigins", 3, &frame.Origin[0][0]);
   program->SetUniform3fv("RayDirections", 3, &frame.Direction[0][0]);
@@ -105,8 +106,9 @@ void vtkVoxelLineShaderUniforms::Set(
   std::vector<float> colors;
   std::vector<float> attenuations;
   std::vector<float> spots;
-  const auto append = [](std::vector<float>& values, const glm::vec3& v)
-  { values.insert(values.end(), { v.x, v.y, v.z }); };
+  const auto append = [](std::vector<float>& values, const glm::vec3& v) {
+    values.insert(values.end(), { v.x, v.y, v.z });
+  };
   for (const vtkVoxelLineLight& light : frame.Lights)
   {
     kinds.push_back(light.Kind);

@@ -22,8 +22,7 @@ constexpr int MaximumPlanes = 8;
 constexpr int MaximumLights = 16;
 
 /// The constants that make one kind of shader out of the common source.
-std::string MakeConstants(
-  vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene);
+std::string MakeConstants(vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene);
 
 /// Set what this kind of shader uses of the frame and of the model's grid; program is in use, and
 /// the frame has no more clipping planes and lights than it takes. Textures are not set.

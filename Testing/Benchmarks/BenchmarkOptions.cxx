@@ -94,7 +94,7 @@ int ToInt(const std::string& option, const std::string& text, int low, int high)
 std::vector<std::string> ToNames(
   const std::string& option, const std::string& text, const std::vector<std::string>& known)
 {
-  const std::vector<std::string> names = Split(text);
+  std::vector<std::string> names = Split(text);
   for (const std::string& name : names)
   {
     if (std::find(known.begin(), known.end(), name) == known.end())

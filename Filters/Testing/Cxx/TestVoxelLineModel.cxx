@@ -66,7 +66,7 @@ void TestDistances(Checks& check)
   {
     for (int numberOfOccupied : { 0, 1, 2, 12 })
     {
-      const std::size_t size = static_cast<std::size_t>(dims[0] * dims[1] * dims[2]);
+      const std::size_t size = static_cast<std::size_t>(dims[0]) * dims[1] * dims[2];
       std::vector<bool> isOccupied(size, false);
       for (int i = 0; i < numberOfOccupied; ++i)
       {

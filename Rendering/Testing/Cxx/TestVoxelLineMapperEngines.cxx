@@ -203,7 +203,8 @@ void CheckForeignContext(Checks& check)
   guest->SetPosition(0.2, 0.0, 0.0);
   const Picture both = bystanders.Render();
   check(Compare(first, one.Render()).Largest == 0, "the engine's first window after the other");
-  check(Compare(both, bystanders.Render()).Largest == 0, "lines of two mappers in the other window");
+  check(
+    Compare(both, bystanders.Render()).Largest == 0, "lines of two mappers in the other window");
   check(Compare(first, one.Render()).Largest == 0, "the first window again");
   // Now the engine's things lie in the first window, and the other one is current.
   bystanders.Renderer->RemoveActor(guest);
