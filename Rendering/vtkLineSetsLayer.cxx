@@ -85,14 +85,6 @@ bool vtkLineSetsLayer::SetPicture(vtkOpenGLRenderWindow* window, int width, int 
 }
 
 //------------------------------------------------------------------------------
-bool vtkLineSetsLayer::SetColor(vtkOpenGLRenderWindow* window, const std::uint8_t* color)
-{
-  const int width = static_cast<int>(this->OwnDepth->GetWidth());
-  const int height = static_cast<int>(this->OwnDepth->GetHeight());
-  return Upload(this->OwnColor, window, width, height, 4, VTK_UNSIGNED_CHAR, color);
-}
-
-//------------------------------------------------------------------------------
 void vtkLineSetsLayer::SetTextures(vtkTextureObject* color, vtkTextureObject* depth)
 {
   this->Color = color;

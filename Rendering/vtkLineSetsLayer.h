@@ -45,9 +45,6 @@ public:
   bool SetPicture(vtkOpenGLRenderWindow* window, int width, int height, const std::uint8_t* color,
     const float* depth);
 
-  /// Only the colours change; the size is that of the last SetPicture().
-  bool SetColor(vtkOpenGLRenderWindow* window, const std::uint8_t* color);
-
   /// Take a picture that already lies in textures, RGBA and one float of depth; they are not
   /// copied.
   void SetTextures(vtkTextureObject* color, vtkTextureObject* depth);

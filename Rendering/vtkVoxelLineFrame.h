@@ -60,7 +60,6 @@ struct vtkVoxelLineFrame
   /// Grid-local to view coordinates, for points; and for normals (inverse transpose).
   glm::mat4 ViewFromLocal = glm::mat4(1.0f);
   glm::mat3 NormalFromLocal = glm::mat3(1.0f);
-  bool Parallel = false;
 
   /// Half spaces a x + b y + c z + d >= 0 in grid-local coordinates that are kept.
   std::vector<glm::vec4> ClippingPlanes;

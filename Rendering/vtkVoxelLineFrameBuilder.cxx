@@ -238,7 +238,6 @@ std::string vtkVoxelLineFrameBuilder::SetView(
 
   frame.Width = view.PictureSize[0];
   frame.Height = view.PictureSize[1];
-  frame.Parallel = view.ClipFromView[14] == 0.0;
 
   // The origins lie on the plane where the box of all that is drawn begins, but not before the
   // near plane: s is then small wherever the camera stands.
@@ -396,7 +395,7 @@ bool vtkVoxelLineFrameBuilder::IsSamePicture(const vtkVoxelLineFrame& a, const v
     std::equal(a.Direction, a.Direction + 3, b.Direction) && a.NearestS == b.NearestS &&
     a.FarthestS == b.FarthestS && a.DepthZ == b.DepthZ && a.DepthW == b.DepthW &&
     a.ViewFromLocal == b.ViewFromLocal && a.NormalFromLocal == b.NormalFromLocal &&
-    a.Parallel == b.Parallel && a.ClippingPlanes == b.ClippingPlanes;
+    a.ClippingPlanes == b.ClippingPlanes;
   const bool sameColors = a.Coloring == b.Coloring && a.HasNaN == b.HasNaN &&
     (a.Coloring != vtkVoxelLineFrame::Table || a.ColorTable == b.ColorTable);
   const bool sameMaterial = a.AmbientColor == b.AmbientColor && a.DiffuseColor == b.DiffuseColor &&

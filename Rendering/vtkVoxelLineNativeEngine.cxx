@@ -359,6 +359,14 @@ struct RayCaster
 
 #include "glsl/vtkVoxelLineShading.glsl"
 
+#include "glsl/vtkVoxelLineRay.glsl"
+
+#include "glsl/vtkVoxelLineSegment.glsl"
+
+#include "glsl/vtkVoxelLineHits.glsl"
+
+#include "glsl/vtkVoxelLineLayers.glsl"
+
 #include "glsl/vtkVoxelLineTraversal.glsl"
 
 #include "glsl/vtkVoxelLinePixel.glsl"

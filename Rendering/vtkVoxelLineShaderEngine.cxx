@@ -24,8 +24,12 @@
 #include "vtkVoxelLineCount.h"
 #include "vtkVoxelLineFetch.h"
 #include "vtkVoxelLineFragment.h"
+#include "vtkVoxelLineHits.h"
+#include "vtkVoxelLineLayers.h"
 #include "vtkVoxelLinePacking.h"
 #include "vtkVoxelLinePixel.h"
+#include "vtkVoxelLineRay.h"
+#include "vtkVoxelLineSegment.h"
 #include "vtkVoxelLineShading.h"
 #include "vtkVoxelLineTraversal.h"
 #include "vtkVoxelLineVertex.h"
@@ -396,6 +400,7 @@ bool vtkVoxelLineShaderEngine::Internals::PrepareQuad(vtkOpenGLRenderWindow* win
   {
     std::string source = std::string("//VTK::System::Dec\n//VTK::Output::Dec\n") +
       vtkVoxelLineFetch + vtkVoxelLinePacking + vtkVoxelLineCapsule + vtkVoxelLineShading +
+      vtkVoxelLineRay + vtkVoxelLineSegment + vtkVoxelLineHits + vtkVoxelLineLayers +
       vtkVoxelLineTraversal + vtkVoxelLinePixel + vtkVoxelLineFragment;
     vtkShaderProgram::Substitute(source, "//LineSets::Constants", kind);
     this->Quad.reset();

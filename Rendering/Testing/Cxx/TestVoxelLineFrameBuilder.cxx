@@ -361,7 +361,6 @@ void CheckSamePicture(Checks& check)
     [](vtkVoxelLineFrame& f) { f.DepthW.x = 3.0f; },
     [](vtkVoxelLineFrame& f) { f.ViewFromLocal[3].x = 3.0f; },
     [](vtkVoxelLineFrame& f) { f.NormalFromLocal[2].x = 3.0f; },
-    [](vtkVoxelLineFrame& f) { f.Parallel = true; },
     [](vtkVoxelLineFrame& f) { f.ClippingPlanes[0].w = 3.0f; },
     [](vtkVoxelLineFrame& f) { f.ClippingPlanes.clear(); },
     [](vtkVoxelLineFrame& f) { f.Radius = 3.0f; },

@@ -66,16 +66,6 @@ vtkSmartPointer<vtkVoxelLineMapper> MakeMapper(vtkPolyData* lines, double radius
   return mapper;
 }
 
-void LookAlongZ(Stage& stage)
-{
-  vtkCamera* camera = stage.Renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetParallelScale(1.0);
-  camera->SetFocalPoint(0.0, 0.0, 0.0);
-  camera->SetPosition(0.0, 0.0, 10.0);
-  camera->SetClippingRange(1.0, 20.0);
-}
-
 std::array<int, 3> Mix(const std::array<int, 3>& a, const std::array<int, 3>& b, double weightOfA)
 {
   std::array<int, 3> mixed;

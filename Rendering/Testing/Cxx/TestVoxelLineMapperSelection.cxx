@@ -44,16 +44,6 @@ vtkSmartPointer<vtkPolyData> MakeBars()
   return lines;
 }
 
-void LookAlongZ(Stage& stage)
-{
-  vtkCamera* camera = stage.Renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetParallelScale(1.0);
-  camera->SetFocalPoint(0.0, 0.0, 0.0);
-  camera->SetPosition(0.0, 0.0, 10.0);
-  camera->SetClippingRange(1.0, 20.0);
-}
-
 /// Selected ids by actor.
 struct Selected
 {

@@ -328,6 +328,17 @@ public:
 private:
   vtkNew<vtkRenderWindow> Window;
 };
+
+/// A parallel view along z of what lies between -1 and 1.
+inline void LookAlongZ(Stage& stage)
+{
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(1.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(0.0, 0.0, 10.0);
+  camera->SetClippingRange(1.0, 20.0);
+}
 }
 
 #endif
