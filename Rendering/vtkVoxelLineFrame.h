@@ -20,29 +20,13 @@
 #ifndef vtkVoxelLineFrame_h
 #define vtkVoxelLineFrame_h
 
+#include "vtkLineSetsLighting.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
 #include <cstdint>
 #include <vector>
-
-struct vtkVoxelLineLight
-{
-  /// Kind of light: 0 a directional light, 1 a positional one, 2 a spot light, 3 a headlight that
-  /// is the only light (VTK's lighting complexity 1, whose highlight depends on the normal alone).
-  int Kind = 0;
-  /// Direction in which the light shines, unit length, view coordinates.
-  glm::vec3 Direction = glm::vec3(0.0f, 0.0f, -1.0f);
-  /// Position in view coordinates (kinds 1 and 2).
-  glm::vec3 Position = glm::vec3(0.0f);
-  /// Diffuse (and specular) colour times intensity.
-  glm::vec3 Color = glm::vec3(1.0f);
-  /// Constant, linear and quadratic attenuation (kinds 1 and 2).
-  glm::vec3 Attenuation = glm::vec3(1.0f, 0.0f, 0.0f);
-  /// Cosine of the cone angle and exponent of a spot light (kind 2).
-  float CosConeAngle = 0.0f;
-  float Exponent = 1.0f;
-};
 
 struct vtkVoxelLineFrame
 {
@@ -87,11 +71,11 @@ struct vtkVoxelLineFrame
   float Ambient = 0.0f;
   float Diffuse = 1.0f;
   float Specular = 0.0f;
-  float SpecularPower = 1.0f;
   float Opacity = 1.0f;
   /// False where vtkProperty's lighting is off: the colour is then shown as it is.
   bool Lighting = true;
-  std::vector<vtkVoxelLineLight> Lights;
+  /// Lights, light model and exponent.
+  vtkLineSetsLighting Light;
 
   /// A ray ends where its opacity reaches this. Above 1: only behind opaque lines.
   float EarlyTermination = 0.99f;

@@ -4,8 +4,6 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
@@ -172,13 +170,6 @@ glm::mat3 GetNormalMatrix(const double matrix[16])
   }
   return normals;
 }
-
-bool AreSameLights(const vtkVoxelLineLight& a, const vtkVoxelLineLight& b)
-{
-  return a.Kind == b.Kind && a.Direction == b.Direction && a.Position == b.Position &&
-    a.Color == b.Color && a.Attenuation == b.Attenuation && a.CosConeAngle == b.CosConeAngle &&
-    a.Exponent == b.Exponent;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -326,65 +317,16 @@ void vtkVoxelLineFrameBuilder::SetProperty(vtkVoxelLineFrame& frame, vtkProperty
   frame.Ambient = static_cast<float>(property->GetAmbient());
   frame.Diffuse = static_cast<float>(property->GetDiffuse());
   frame.Specular = static_cast<float>(property->GetSpecular());
-  frame.SpecularPower = static_cast<float>(property->GetSpecularPower());
   frame.Opacity = static_cast<float>(property->GetOpacity());
-  frame.Lighting = property->GetLighting();
 }
 
 //------------------------------------------------------------------------------
-void vtkVoxelLineFrameBuilder::SetLights(vtkVoxelLineFrame& frame, vtkRenderer* renderer)
+void vtkVoxelLineFrameBuilder::SetLighting(vtkVoxelLineFrame& frame, vtkRenderer* renderer,
+  vtkLineIllumination* illumination, vtkProperty* property)
 {
-  frame.Lights.clear();
-  vtkTransform* viewTransform = renderer->GetActiveCamera()->GetModelViewTransformObject();
-  auto* glRenderer = vtkOpenGLRenderer::SafeDownCast(renderer);
-  vtkTransform* userTransform = glRenderer ? glRenderer->GetUserLightTransform() : nullptr;
-  bool loneHeadlight = false;
-  vtkLightCollection* lights = renderer->GetLights();
-  vtkCollectionSimpleIterator iterator;
-  lights->InitTraversal(iterator);
-  while (vtkLight* light = lights->GetNextLight(iterator))
-  {
-    if (!light->GetSwitch())
-    {
-      continue;
-    }
-    double position[3];
-    double focalPoint[3];
-    light->GetTransformedPosition(position);
-    light->GetTransformedFocalPoint(focalPoint);
-    double direction[3];
-    vtkMath::Subtract(focalPoint, position, direction);
-    vtkMath::Normalize(direction);
-    viewTransform->TransformNormal(direction, direction);
-    viewTransform->TransformPoint(position, position);
-    if (!light->LightTypeIsSceneLight() && userTransform)
-    {
-      userTransform->TransformNormal(direction, direction);
-      userTransform->TransformPoint(position, position);
-    }
-
-    vtkVoxelLineLight entry;
-    // VTK's shaders take a cone of 90 degrees or more for none at all.
-    entry.Kind = !light->GetPositional() ? 0 : (light->GetConeAngle() < 90.0 ? 2 : 1);
-    entry.Direction = ToVec3(direction);
-    entry.Position = ToVec3(position);
-    entry.Color = ToVec3(light->GetDiffuseColor()) * static_cast<float>(light->GetIntensity());
-    entry.Attenuation = ToVec3(light->GetAttenuationValues());
-    entry.CosConeAngle =
-      static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(light->GetConeAngle())));
-    entry.Exponent = static_cast<float>(light->GetExponent());
-    loneHeadlight = light->LightTypeIsHeadlight() && !light->GetPositional();
-    frame.Lights.push_back(entry);
-  }
-  if (frame.Lights.empty())
-  {
-    frame.Lighting = false;
-  }
-  else if (frame.Lights.size() == 1 && loneHeadlight)
-  {
-    frame.Lights[0].Kind = 3;
-    frame.Lights[0].Direction = glm::vec3(0.0f, 0.0f, -1.0f);
-  }
+  frame.Light.SetRenderer(renderer);
+  frame.Light.SetModel(illumination, property);
+  frame.Lighting = property->GetLighting() && !frame.Light.Lights.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -400,11 +342,8 @@ bool vtkVoxelLineFrameBuilder::IsSamePicture(const vtkVoxelLineFrame& a, const v
     (a.Coloring != vtkVoxelLineFrame::Table || a.ColorTable == b.ColorTable);
   const bool sameMaterial = a.AmbientColor == b.AmbientColor && a.DiffuseColor == b.DiffuseColor &&
     a.SpecularColor == b.SpecularColor && a.Ambient == b.Ambient && a.Diffuse == b.Diffuse &&
-    a.Specular == b.Specular && a.SpecularPower == b.SpecularPower && a.Opacity == b.Opacity &&
-    a.Lighting == b.Lighting;
-  const bool sameLights = a.Lights.size() == b.Lights.size() &&
-    std::equal(a.Lights.begin(), a.Lights.end(), b.Lights.begin(), AreSameLights);
-  return sameView && sameColors && sameMaterial && sameLights && a.Radius == b.Radius &&
+    a.Specular == b.Specular && a.Opacity == b.Opacity && a.Lighting == b.Lighting;
+  return sameView && sameColors && sameMaterial && a.Light == b.Light && a.Radius == b.Radius &&
     a.EarlyTermination == b.EarlyTermination && a.Picking == b.Picking;
 }
 

@@ -18,6 +18,7 @@
 #include <string>
 
 class vtkActor;
+class vtkLineIllumination;
 class vtkMatrix4x4;
 class vtkPlaneCollection;
 class vtkProperty;
@@ -74,10 +75,12 @@ public:
   static void SetProperty(vtkVoxelLineFrame& frame, vtkProperty* property);
 
   /**
-   * All lights of the renderer that are switched on, in view coordinates. Where there is none, the
-   * frame is unlit, as VTK's polygons are.
+   * All lights of the renderer that are switched on, in view coordinates, and the light model. The
+   * frame is unlit where there is no light, as VTK's polygons are, and where the property's
+   * lighting is off.
    */
-  static void SetLights(vtkVoxelLineFrame& frame, vtkRenderer* renderer);
+  static void SetLighting(vtkVoxelLineFrame& frame, vtkRenderer* renderer,
+    vtkLineIllumination* illumination, vtkProperty* property);
 
   /// Whether two frames would give the same picture; the depth of the scene is not compared.
   static bool IsSamePicture(const vtkVoxelLineFrame& a, const vtkVoxelLineFrame& b);

@@ -8,6 +8,7 @@
 #include "vtkDataObject.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
+#include "vtkLineIllumination.h"
 #include "vtkLineVoxelizer.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -48,6 +49,7 @@ public:
   vtkSmartPointer<vtkLineVoxelizer> Voxelizer = vtkSmartPointer<vtkLineVoxelizer>::New();
   vtkSmartPointer<vtkVoxelLineModel> Model;
   vtkVoxelLinePainter Painter;
+  vtkSmartPointer<vtkLineIllumination> Illumination = vtkSmartPointer<vtkLineIllumination>::New();
 
   // What the voxelizer's input was made of.
   vtkSmartPointer<vtkPolyData> Input;
@@ -204,6 +206,29 @@ void vtkVoxelLineMapper::SetEarlyTermination(double opacity)
     this->EarlyTermination = opacity;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetIllumination(vtkLineIllumination* illumination)
+{
+  if (illumination != this->Internals->Illumination || !illumination)
+  {
+    this->Internals->Illumination =
+      illumination ? illumination : vtkSmartPointer<vtkLineIllumination>::New().Get();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkLineIllumination* vtkVoxelLineMapper::GetIllumination()
+{
+  return this->Internals->Illumination;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkVoxelLineMapper::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Internals->Illumination->GetMTime());
 }
 
 //------------------------------------------------------------------------------
@@ -503,6 +528,7 @@ void vtkVoxelLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetInteriorTolerance(other->InteriorTolerance);
     this->SetEarlyTermination(other->EarlyTermination);
     this->SetEngine(other->Engine);
+    this->SetIllumination(other->GetIllumination());
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -518,6 +544,8 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InteriorTolerance: " << this->InteriorTolerance << "\n";
   os << indent << "EarlyTermination: " << this->EarlyTermination << "\n";
   os << indent << "Engine: " << this->Engine << "\n";
+  os << indent << "Illumination:\n";
+  this->Internals->Illumination->PrintSelf(os, indent.GetNextIndent());
   os << indent << "EngineInUse: " << this->EngineInUse << "\n";
   os << indent << "ModelBuildTime: " << this->ModelBuildTime << "\n";
   os << indent << "NumberOfPictures: " << this->GetNumberOfPictures() << "\n";

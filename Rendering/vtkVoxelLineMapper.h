@@ -61,6 +61,7 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+class vtkLineIllumination;
 class vtkVoxelLineModel;
 
 class VTKRENDERINGLINESETS_EXPORT vtkVoxelLineMapper : public vtkPolyDataMapper
@@ -161,6 +162,15 @@ public:
   void SetEngineToShader() { this->SetEngine(Shader); }
   ///@}
 
+  ///@{
+  /**
+   * How the lines reflect light; may be shared by several mappers. Default: an object of the
+   * mapper's own with the defaults of vtkLineIllumination; nullptr brings such a one back.
+   */
+  virtual void SetIllumination(vtkLineIllumination* illumination);
+  vtkLineIllumination* GetIllumination();
+  ///@}
+
   /// Engine of the last frame: Native or Shader; Automatic before the first one.
   vtkGetMacro(EngineInUse, int);
 
@@ -197,6 +207,9 @@ public:
 
   /// Selection works as the class description tells.
   bool GetSupportsSelection() override { return true; }
+
+  /// Modification time of the mapper, its lookup table and its illumination.
+  vtkMTimeType GetMTime() override;
 
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;

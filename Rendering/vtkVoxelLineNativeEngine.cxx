@@ -3,6 +3,7 @@
 #include "vtkVoxelLineNativeEngine.h"
 
 #include "vtkDataArray.h"
+#include "vtkLineIllumination.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVoxelLineCandidates.h"
@@ -138,13 +139,19 @@ struct RayCaster
     , SpecularColor(settings.SpecularColor * settings.Specular)
     , Ambient(settings.Ambient)
     , Diffuse(settings.Diffuse)
-    , SpecularPower(settings.SpecularPower)
+    , SpecularPower(settings.Light.SpecularPower)
     , Opacity(settings.Opacity)
     , AllOpaque(settings.IsOpaque())
     , EarlyTermination(settings.EarlyTermination)
     , ViewFromLocal(settings.ViewFromLocal)
     , NormalFromLocal(settings.NormalFromLocal)
-    , LightCount(static_cast<int>(settings.Lights.size()))
+    , ParallelView(settings.Light.ParallelView)
+    , MaximumReflection(settings.Light.Model == vtkLineIllumination::MaximumReflection)
+    , HalfwayReflection(settings.Light.Reflection == vtkLineIllumination::Blinn)
+    , StretchRange(settings.Light.StretchDynamicRange)
+    , PowerMeans(settings.Light.Table.get())
+    , TabulatedMeans(settings.Light.Table != nullptr)
+    , LightCount(static_cast<int>(settings.Light.Lights.size()))
   {
     source->GetDimensions(&this->GridDimensions[0]);
     source->GetBrickDimensions(&this->BrickDimensions[0]);
@@ -152,7 +159,7 @@ struct RayCaster
     {
       ++this->FaceBits;
     }
-    for (const vtkVoxelLineLight& light : settings.Lights)
+    for (const vtkLineSetsLight& light : settings.Light.Lights)
     {
       this->LightKind.push_back(light.Kind);
       this->LightDirection.push_back(light.Direction);
@@ -202,6 +209,7 @@ struct RayCaster
     return vec4(c[0], c[1], c[2], c[3]) * (1.0f / 255.0f);
   }
   Real fetchRadius(uint i) const { return this->Model.Radii[i] * (1.0f / 255.0f); }
+  Real fetchPowerMean(Real x, Real row) const { return this->PowerMeans->Interpolate(x, row); }
   vec4 fetchTable(int i) const { return this->Frame.ColorTable[i]; }
   static int countBits(uint word)
   {
@@ -334,6 +342,12 @@ struct RayCaster
   Real EarlyTermination;
   mat4 ViewFromLocal;
   mat3 NormalFromLocal;
+  bool ParallelView;
+  bool MaximumReflection;
+  bool HalfwayReflection;
+  bool StretchRange;
+  const vtkLineIlluminationTable* PowerMeans;
+  bool TabulatedMeans;
   int LightCount;
   std::vector<int> LightKind;
   std::vector<vec3> LightDirection;
@@ -357,7 +371,9 @@ struct RayCaster
 
 #include "glsl/vtkVoxelLineCapsule.glsl"
 
-#include "glsl/vtkVoxelLineShading.glsl"
+#include "glsl/vtkLineReflection.glsl"
+
+#include "glsl/vtkLineLighting.glsl"
 
 #include "glsl/vtkVoxelLineRay.glsl"
 

@@ -163,7 +163,8 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
   }
   vtkVoxelLineFrameBuilder::SetClippingPlanes(frame, scene.Mapper->GetClippingPlanes(), view, grid);
   vtkVoxelLineFrameBuilder::SetProperty(frame, actor->GetProperty());
-  vtkVoxelLineFrameBuilder::SetLights(frame, renderer);
+  vtkVoxelLineFrameBuilder::SetLighting(
+    frame, renderer, scene.Mapper->GetIllumination(), actor->GetProperty());
   vtkVoxelLineColoring::SetColors(frame, scene.Mapper, scene.Model);
   frame.Radius = static_cast<float>(grid.Margin);
   const double early = scene.Mapper->GetEarlyTermination();

@@ -6,6 +6,7 @@
 #include "vtkLineSetsCompatibilityPrivate.h"
 
 #include "vtkDataArray.h"
+#include "vtkLineSetsLightingUniforms.h"
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -30,7 +31,6 @@
 #include "vtkVoxelLinePixel.h"
 #include "vtkVoxelLineRay.h"
 #include "vtkVoxelLineSegment.h"
-#include "vtkVoxelLineShading.h"
 #include "vtkVoxelLineTraversal.h"
 #include "vtkVoxelLineVertex.h"
 
@@ -122,6 +122,7 @@ struct vtkVoxelLineShaderEngine::Internals
   vtkMTimeType FailedTime = 0;
   std::string FailedError;
   std::map<std::string, BufferTexture> Buffers;
+  vtkLineSetsLightingUniforms Lighting;
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
@@ -172,6 +173,7 @@ void vtkVoxelLineShaderEngine::Internals::ReleaseBuffers(vtkWindow* window)
 
 void vtkVoxelLineShaderEngine::Internals::ReleaseTargets(vtkWindow* window)
 {
+  this->Lighting.ReleaseGraphicsResources(window);
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->CountFramebuffer->ReleaseGraphicsResources(window);
   this->Color->ReleaseGraphicsResources(window);
@@ -253,10 +255,10 @@ bool vtkVoxelLineShaderEngine::Internals::Check(
       " clipping planes are set, the shader engine takes at most " + std::to_string(MaximumPlanes) +
       "; the native engine takes any number.");
   }
-  if (frame.Lights.size() > MaximumLights)
+  if (frame.Light.Lights.size() > vtkLineSetsLightingUniforms::MaximumLights)
   {
-    return this->Fail(std::to_string(frame.Lights.size()) +
-      " lights are switched on, the shader engine takes at most " + std::to_string(MaximumLights) +
+    return this->Fail(std::to_string(frame.Light.Lights.size()) +
+      " lights are switched on, the shader engine takes at most " + std::to_string(vtkLineSetsLightingUniforms::MaximumLights) +
       "; the native engine takes any number.");
   }
   return true;
@@ -399,7 +401,7 @@ bool vtkVoxelLineShaderEngine::Internals::PrepareQuad(vtkOpenGLRenderWindow* win
   if (!this->Quad || this->QuadKind != kind)
   {
     std::string source = std::string("//VTK::System::Dec\n//VTK::Output::Dec\n") +
-      vtkVoxelLineFetch + vtkVoxelLinePacking + vtkVoxelLineCapsule + vtkVoxelLineShading +
+      vtkVoxelLineFetch + vtkVoxelLinePacking + vtkVoxelLineCapsule +
       vtkVoxelLineRay + vtkVoxelLineSegment + vtkVoxelLineHits + vtkVoxelLineLayers +
       vtkVoxelLineTraversal + vtkVoxelLinePixel + vtkVoxelLineFragment;
     vtkShaderProgram::Substitute(source, "//LineSets::Constants", kind);
@@ -530,7 +532,15 @@ bool vtkVoxelLineShaderEngine::Render(vtkOpenGLRenderWindow* window, vtkVoxelLin
       }
       data.ActivateBuffers();
       vtkVoxelLineShaderUniforms::Set(data.Quad->Program, model, frame);
-      data.Quad->Render();
+      if (data.Lighting.Activate(window, data.Quad->Program, frame.Light))
+      {
+        data.Quad->Render();
+      }
+      else
+      {
+        data.Fail("There is no memory on the graphics device for the table of the light model.");
+      }
+      data.Lighting.Deactivate();
       for (auto& buffer : data.Buffers)
       {
         buffer.second.Texture->Deactivate();

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVoxelLineShaderUniforms.h"
 
+#include "vtkLineSetsLightingUniforms.h"
 #include "vtkShaderProgram.h"
 #include "vtkVoxelLineFrame.h"
 #include "vtkVoxelLineModel.h"
 
 #include <algorithm>
 #include <sstream>
-#include <vector>
 
 std::string vtkVoxelLineShaderUniforms::MakeConstants(
   vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene)
@@ -22,9 +22,7 @@ std::string vtkVoxelLineShaderUniforms::MakeConstants(
   const auto constant = [&os](const char* type, const char* name, int value)
   { os << "const " << type << " " << name << " = " << type << "(" << value << ");\n"; };
   constant("int", "MaximumPlanes", MaximumPlanes);
-  constant("int", "MaximumLights", MaximumLights);
   constant("int", "PlaneCount", static_cast<int>(frame.ClippingPlanes.size()));
-  constant("int", "LightCount", static_cast<int>(frame.Lights.size()));
   constant("int", "SegmentWords", model->GetSegmentWords());
   constant("int", "FaceBits", faceBits);
   constant("int", "InteriorBins", std::max(model->GetInteriorBins(), 1));
@@ -36,6 +34,7 @@ std::string vtkVoxelLineShaderUniforms::MakeConstants(
   constant("bool", "Picking", frame.Picking ? 1 : 0);
   constant("bool", "AllOpaque", frame.IsOpaque() ? 1 : 0);
   constant("bool", "HasScene", hasScene ? 1 : 0);
+  os << vtkLineSetsLightingUniforms::GetSource(frame.Light);
   return os.str();
 }
 
@@ -81,7 +80,7 @@ void vtkVoxelLineShaderUniforms::Set(
   set3("SpecularColor", frame.SpecularColor * frame.Specular);
   set1("Ambient", frame.Ambient);
   set1("Diffuse", frame.Diffuse);
-  set1("SpecularPower", frame.SpecularPower);
+  set1("SpecularPower", frame.Light.SpecularPower);
   set1("Opacity", frame.Opacity);
   set1("EarlyTermination", frame.EarlyTermination);
   glm::mat4 view = frame.ViewFromLocal;
@@ -94,34 +93,4 @@ void vtkVoxelLineShaderUniforms::Set(
   {
     program->SetUniformMatrix3x3("NormalFromLocal", &normal[0][0]);
   }
-
-  const int lights = static_cast<int>(frame.Lights.size());
-  if (lights == 0)
-  {
-    return;
-  }
-  std::vector<int> kinds;
-  std::vector<float> directions;
-  std::vector<float> positions;
-  std::vector<float> colors;
-  std::vector<float> attenuations;
-  std::vector<float> spots;
-  const auto append = [](std::vector<float>& values, const glm::vec3& v) {
-    values.insert(values.end(), { v.x, v.y, v.z });
-  };
-  for (const vtkVoxelLineLight& light : frame.Lights)
-  {
-    kinds.push_back(light.Kind);
-    append(directions, light.Direction);
-    append(positions, light.Position);
-    append(colors, light.Color);
-    append(attenuations, light.Attenuation);
-    spots.insert(spots.end(), { light.CosConeAngle, light.Exponent });
-  }
-  program->SetUniform1iv("LightKind", lights, kinds.data());
-  program->SetUniform3fv("LightDirection", lights, directions.data());
-  program->SetUniform3fv("LightPosition", lights, positions.data());
-  program->SetUniform3fv("LightColor", lights, colors.data());
-  program->SetUniform3fv("LightAttenuation", lights, attenuations.data());
-  program->SetUniform2fv("LightSpot", lights, spots.data());
 }

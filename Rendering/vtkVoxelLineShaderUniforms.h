@@ -16,10 +16,8 @@ struct vtkVoxelLineFrame;
 
 namespace vtkVoxelLineShaderUniforms
 {
-// As many clipping planes as OpenGL guarantees, and lights that fit into the uniforms that
-// OpenGL 3.2 guarantees.
+// As many clipping planes as OpenGL guarantees.
 constexpr int MaximumPlanes = 8;
-constexpr int MaximumLights = 16;
 
 /// The constants that make one kind of shader out of the common source.
 std::string MakeConstants(vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene);

@@ -36,12 +36,6 @@ uniform float Opacity;
 uniform float EarlyTermination;
 uniform mat4 ViewFromLocal;
 uniform mat3 NormalFromLocal;
-uniform int LightKind[MaximumLights];
-uniform vec3 LightDirection[MaximumLights];
-uniform vec3 LightPosition[MaximumLights];
-uniform vec3 LightColor[MaximumLights];
-uniform vec3 LightAttenuation[MaximumLights];
-uniform vec2 LightSpot[MaximumLights];
 
 uniform isamplerBuffer BrickGrid;
 uniform usamplerBuffer Bricks;

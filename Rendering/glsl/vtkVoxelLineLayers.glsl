@@ -80,7 +80,7 @@ void blendLayer(Real seen, bool fromInside, uint segment, int brick, ivec3 voxel
     vec3 normal = normalize(NormalFromLocal * tubeNormal(x, a, b, ra, rb));
     normal = fromInside ? -normal : normal;
     vec3 position = vec3(ViewFromLocal * vec4(x + vec3(voxel), Real(1)));
-    shade = lightSurface(position, normal, normalize(-position), ambient, shade * Diffuse);
+    shade = lightSurface(position, normal, ambient, shade * Diffuse, SpecularColor, SpecularPower);
   }
   else
   {

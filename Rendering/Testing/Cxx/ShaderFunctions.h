@@ -8,6 +8,8 @@
 #ifndef ShaderFunctions_h
 #define ShaderFunctions_h
 
+#include "vtkLineIlluminationTable.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
@@ -36,14 +38,22 @@ struct Functions
   std::vector<vec3> LightColor;
   std::vector<vec3> LightAttenuation;
   std::vector<vec2> LightSpot;
-  vec3 SpecularColor = vec3(R(0));
-  Real SpecularPower = R(1);
+  bool ParallelView = false;
+  bool MaximumReflection = false;
+  bool HalfwayReflection = false;
+  bool StretchRange = false;
+  bool TabulatedMeans = false;
+  std::shared_ptr<const vtkLineIlluminationTable> Table;
+
+  Real fetchPowerMean(Real x, Real row) const { return this->Table->Interpolate(x, row); }
 
 #include "glsl/vtkVoxelLinePacking.glsl"
 
 #include "glsl/vtkVoxelLineCapsule.glsl"
 
-#include "glsl/vtkVoxelLineShading.glsl"
+#include "glsl/vtkLineReflection.glsl"
+
+#include "glsl/vtkLineLighting.glsl"
 };
 
 #undef LS_OUT

@@ -348,7 +348,7 @@ void CheckSamePicture(Checks& check)
     frame.Direction[i] = glm::vec3(1.0f);
   }
   frame.Coloring = vtkVoxelLineFrame::Table;
-  frame.Lights.resize(1);
+  frame.Light.Lights.resize(1);
   frame.ClippingPlanes.emplace_back(1.0f);
   check(Builder::IsSamePicture(frame, frame), "a frame is the same as itself");
   using Change = std::function<void(vtkVoxelLineFrame&)>;
@@ -372,17 +372,22 @@ void CheckSamePicture(Checks& check)
     [](vtkVoxelLineFrame& f) { f.SpecularColor.z = 0.5f; },
     [](vtkVoxelLineFrame& f) { f.Ambient = 0.5f; }, [](vtkVoxelLineFrame& f) { f.Diffuse = 0.5f; },
     [](vtkVoxelLineFrame& f) { f.Specular = 0.5f; },
-    [](vtkVoxelLineFrame& f) { f.SpecularPower = 5.0f; },
+    [](vtkVoxelLineFrame& f) { f.Light.SpecularPower = 5.0f; },
     [](vtkVoxelLineFrame& f) { f.Opacity = 0.5f; },
     [](vtkVoxelLineFrame& f) { f.Lighting = false; },
-    [](vtkVoxelLineFrame& f) { f.Lights[0].Color.x = 0.5f; },
-    [](vtkVoxelLineFrame& f) { f.Lights[0].Kind = 2; },
-    [](vtkVoxelLineFrame& f) { f.Lights[0].Direction.x = 0.5f; },
-    [](vtkVoxelLineFrame& f) { f.Lights[0].Position.x = 0.5f; },
-    [](vtkVoxelLineFrame& f) { f.Lights[0].Attenuation.x = 0.5f; },
-    [](vtkVoxelLineFrame& f) { f.Lights[0].CosConeAngle = 0.5f; },
-    [](vtkVoxelLineFrame& f) { f.Lights[0].Exponent = 0.5f; },
-    [](vtkVoxelLineFrame& f) { f.Lights.clear(); },
+    [](vtkVoxelLineFrame& f) { f.Light.Lights[0].Color.x = 0.5f; },
+    [](vtkVoxelLineFrame& f) { f.Light.Lights[0].Kind = 2; },
+    [](vtkVoxelLineFrame& f) { f.Light.Lights[0].Direction.x = 0.5f; },
+    [](vtkVoxelLineFrame& f) { f.Light.Lights[0].Position.x = 0.5f; },
+    [](vtkVoxelLineFrame& f) { f.Light.Lights[0].Attenuation.x = 0.5f; },
+    [](vtkVoxelLineFrame& f) { f.Light.Lights[0].CosConeAngle = 0.5f; },
+    [](vtkVoxelLineFrame& f) { f.Light.Lights[0].Exponent = 0.5f; },
+    [](vtkVoxelLineFrame& f) { f.Light.Lights.clear(); },
+    [](vtkVoxelLineFrame& f) { f.Light.ParallelView = true; },
+    [](vtkVoxelLineFrame& f) { f.Light.Model = 1; },
+    [](vtkVoxelLineFrame& f) { f.Light.Reflection = 1; },
+    [](vtkVoxelLineFrame& f) { f.Light.StretchDynamicRange = true; },
+    [](vtkVoxelLineFrame& f) { f.Light.Table = vtkLineIlluminationTable::Get(0.01); },
     [](vtkVoxelLineFrame& f) { f.EarlyTermination = 0.5f; },
     [](vtkVoxelLineFrame& f) { f.Picking = true; } };
   for (std::size_t i = 0; i < changes.size(); ++i)

@@ -203,11 +203,12 @@ void TestLight()
     f.LightSpot.clear();
     f.LightCount = 0;
   };
-  const V viewer(0.0, 0.0, 1.0);
+  V specular(0.0);
+  double power = 1.0;
   const V slanted = glm::normalize(V(0.0, 3.0, 4.0)); // N.z = 0.8
   const auto expect = [&](const V& normal, const V& expected, const char* what)
   {
-    const V color = f.lightSurface(V(0.0, 0.0, -5.0), normal, viewer, V(0.1), V(0.5));
+    const V color = f.lightSurface(V(0.0, 0.0, -5.0), normal, V(0.1), V(0.5), specular, power);
     const double error = glm::length(color - expected);
     Check(error < 1e-9, what, error, 1e-9);
   };
@@ -215,8 +216,8 @@ void TestLight()
   expect(slanted, V(0.1), "error without lights");
 
   // A directional light along the view: diffuse 0.8; mirrored direction has z = 2 0.64 - 1 = 0.28.
-  f.SpecularColor = V(0.3);
-  f.SpecularPower = 2.0;
+  specular = V(0.3);
+  power = 2.0;
   add(0, V(0.0, 0.0, -1.0), V(0.0), V(1.0, 0.0, 0.0), 0.0, 0.0);
   expect(slanted, V(0.1) + V(1.0, 0.5, 0.25) * (0.4 + 0.3 * 0.28 * 0.28), "error of a light");
   // From behind it gives nothing.
@@ -227,9 +228,9 @@ void TestLight()
   add(3, V(0.0, 0.0, -1.0), V(0.0), V(1.0, 0.0, 0.0), 0.0, 0.0);
   expect(slanted, V(0.1) + V(1.0, 0.5, 0.25) * (0.4 + 0.3 * 0.64), "error of a headlight");
   // The exponent 0 makes every lit point shine.
-  f.SpecularPower = 0.0;
+  power = 0.0;
   expect(slanted, V(0.1) + V(1.0, 0.5, 0.25) * (0.4 + 0.3), "error of the exponent 0");
-  f.SpecularPower = 2.0;
+  power = 2.0;
   clear();
 
   // A positional light at distance 5 with attenuation 1 / (1 + 2 5 + 3 25) = 1 / 86.
