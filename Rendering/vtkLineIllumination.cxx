@@ -16,12 +16,13 @@ constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 /// Line, viewer and light as the terms need them.
 struct Directions
 {
-  double ViewerT;     ///< V_T
-  double LightT;      ///< L_T
-  double ViewerSine;  ///< sqrt(1 - V_T^2)
-  double LightSine;   ///< sqrt(1 - L_T^2)
-  double ViewerLight; ///< V.L
-  double CosAlpha;    ///< blended to 0 near the singular directions
+  double ViewerT;       ///< V_T
+  double LightT;        ///< L_T
+  double ViewerSine;    ///< sqrt(1 - V_T^2)
+  double LightSine;     ///< sqrt(1 - L_T^2)
+  double ViewerLight;   ///< V.L
+  double HalfwayLength; ///< |V + L|
+  double CosAlpha;      ///< blended to 0 near the singular directions
   bool Valid;
 };
 
@@ -62,6 +63,8 @@ Directions Compare(const double tangent[3], const double viewer[3], const double
     d.ViewerSine = GetSine(d.ViewerT);
     d.LightSine = GetSine(d.LightT);
     d.ViewerLight = vtkMath::Dot(v, l);
+    const double sum[3] = { v[0] + l[0], v[1] + l[1], v[2] + l[2] };
+    d.HalfwayLength = vtkMath::Norm(sum);
     d.CosAlpha =
       (d.ViewerLight - d.ViewerT * d.LightT) / (Bound(d.ViewerSine) * Bound(d.LightSine));
     d.CosAlpha = std::clamp(d.CosAlpha, -1.0, 1.0);
@@ -234,20 +237,16 @@ double vtkLineIllumination::GetSpecularTerm(const double tangent[3], const doubl
   if (reflection == Blinn)
   {
     // H_T and H.V follow from V + L, whose length is that of H before it is normalized.
-    const double length = std::sqrt(std::max(0.0, 2.0 + 2.0 * d.ViewerLight));
-    if (length < 1e-9)
-    {
-      return power > 0.0 || model == CylinderAveraging ? 0.0 : 1.0;
-    }
-    const double halfwayT = (d.ViewerT + d.LightT) / length;
+    const double fade = std::min(1.0, d.HalfwayLength / SmallestSine);
+    const double halfwayT = (d.ViewerT + d.LightT) / std::max(d.HalfwayLength, 1e-12);
     const double sine = GetSine(halfwayT);
     if (model == MaximumReflection)
     {
-      return std::pow(sine, power);
+      return fade * std::pow(sine, power);
     }
-    const double cosBeta =
-      (0.5 * length - halfwayT * d.ViewerT) / (Bound(d.ViewerSine) * std::max(sine, 1e-30));
-    return AveragePower(sine, d.CosAlpha, cosBeta, power);
+    const double cosBeta = (0.5 * d.HalfwayLength - halfwayT * d.ViewerT) /
+      (Bound(d.ViewerSine) * std::max(sine, 1e-30));
+    return fade * AveragePower(sine, d.CosAlpha, cosBeta, power);
   }
 
   const double brightest = d.ViewerSine * d.LightSine - d.ViewerT * d.LightT; // Eq. 9

@@ -37,8 +37,9 @@
  *
  * <b>Singular cases.</b> Where T and V, or T and L, are parallel, alpha is undefined, and turning
  * the line a little would switch its light on and off. Within SmallestSine (5.7 degrees) of these
- * directions cos alpha is therefore drawn towards 0 in proportion to the sine. A line without a
- * tangent (length 0) is lit as if it lay across V and L.
+ * directions cos alpha is therefore drawn towards 0 in proportion to the sine. Where V and L oppose
+ * each other there is no H: Blinn's term fades out as |V + L| falls below SmallestSine. A line
+ * without a tangent (length 0) is lit as if it lay across V and L.
  *
  * @sa vtkIlluminatedLineMapper vtkVoxelLineMapper
  */

@@ -80,13 +80,17 @@ vec2 lineResponse(vec3 tangent, vec3 viewer, vec3 light, bool byNormal, bool shi
   Real lightSine = sineOf(lightT);
   Real viewerLight = dot(viewer, light);
   Real brightest = viewerSine * lightSine - viewerT * lightT; // Eq. 9
-  Real halfwayLength = sqrt(max(Real(2) + Real(2) * viewerLight, Real(0)));
-  Real halfwayT = halfwayLength > Real(1e-4) ? (viewerT + lightT) / halfwayLength : Real(1);
+  // There is no half-way vector where viewer and light oppose each other: it fades out before.
+  Real halfwayLength = length(viewer + light);
+  Real halfwayT = (viewerT + lightT) / max(halfwayLength, Real(1e-6));
   Real halfwaySine = sineOf(halfwayT);
+  Real halfwayFade = min(halfwayLength / SmallestSine, Real(1));
   if (MaximumReflection)
   {
     Real best = byNormal ? lightSine : (HalfwayReflection ? halfwaySine : brightest);
-    return vec2(lightSine, shines ? reflectedPower(best, power) : Real(0)); // Eqs. 5 and 9
+    Real fade = HalfwayReflection && !byNormal ? halfwayFade : Real(1);
+    return vec2(
+      lightSine, shines ? fade * reflectedPower(best, power) : Real(0)); // Eqs. 5 and 9
   }
 
   Real cosAlpha = clamp((viewerLight - viewerT * lightT) /
@@ -105,9 +109,7 @@ vec2 lineResponse(vec3 tangent, vec3 viewer, vec3 light, bool byNormal, bool shi
     {
       Real cosBeta = (Real(0.5) * halfwayLength - halfwayT * viewerT) /
         (max(viewerSine, SmallestSine) * max(halfwaySine, Real(1e-6)));
-      specular = halfwayLength > Real(1e-4)
-        ? averageOfPower(halfwaySine, cosAlpha, cosBeta, power)
-        : Real(0);
+      specular = halfwayFade * averageOfPower(halfwaySine, cosAlpha, cosBeta, power);
     }
     else
     {
