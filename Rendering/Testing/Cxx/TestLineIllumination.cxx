@@ -176,6 +176,22 @@ void CheckSteps(Checks& check)
       }
     }
   }
+  // A light that passes right behind the line, where there is no half-way vector.
+  for (int i = 0; i < 20; ++i)
+  {
+    const Vector v = GetDirection(i, 20, 0.5);
+    const Vector t = GetDirection((i * 7 + 3) % 20, 20, 2.0);
+    const Vector across = glm::normalize(glm::cross(v, GetDirection((i * 3) % 20, 20, 1.1)));
+    double last = 0.0;
+    for (int k = -300; k <= 300; ++k)
+    {
+      const Vector l = -v * std::cos(k * step) + across * std::sin(k * step);
+      const double term = GetSpecular(t, v, l, 20.0, Light::MaximumReflection, Halfway);
+      check(k == -300 || std::abs(term - last) < 0.03,
+        "light from behind changes by " + std::to_string(std::abs(term - last)) + " in a step");
+      last = term;
+    }
+  }
   std::cout << "Largest change per step, of what is allowed: diffuse " << worst[0] << ", Phong "
             << worst[1] << ", Blinn " << worst[2] << "\n";
 }
