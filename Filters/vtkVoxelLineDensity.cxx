@@ -2,21 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVoxelLineDensity.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkLineSetsCompatibilityPrivate.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVoxelLineDensities.h"
+#include "vtkVoxelLineLevelsPrivate.h"
 #include "vtkVoxelLineModel.h"
-#include "vtkVoxelLineSegmentsPrivate.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -25,36 +29,67 @@ vtkStandardNewMacro(vtkVoxelLineDensity);
 namespace
 {
 
-/// Placement of the voxel centres: extent, origin and spacing of the image.
+/// Placement of the voxel centres of a level: extent, origin and spacing of the image.
 struct Placement
 {
-  explicit Placement(vtkVoxelLineModel* model)
+  Placement(vtkVoxelLineModel* model, int level)
   {
+    if (!model || !vtkVoxelLineLevels::FindLevelError(model, level).empty())
+    {
+      return;
+    }
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Extent[2 * axis + 1] = model ? model->GetDimensions()[axis] - 1 : -1;
-      this->Spacing[axis] = model ? model->GetVoxelSize() : 1.0;
-      this->Origin[axis] = model ? model->GetOrigin()[axis] + 0.5 * this->Spacing[axis] : 0.0;
+      this->Extent[2 * axis + 1] =
+        vtkVoxelLineLevels::SizeOf(model->GetDimensions()[axis], level) - 1;
+      this->Spacing[axis] = std::ldexp(model->GetVoxelSize(), level);
+      this->Origin[axis] = model->GetOrigin()[axis] + 0.5 * this->Spacing[axis];
     }
   }
 
   int Extent[6] = { 0, -1, 0, -1, 0, -1 };
-  double Origin[3];
-  double Spacing[3];
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  double Spacing[3] = { 1.0, 1.0, 1.0 };
 };
 
-/// Sum of the lengths of the segments [first, last), in voxels.
-double SumLengths(const vtkVoxelLineSegments::Reader& reader, vtkIdType first, vtkIdType last)
+/// Write a level of densities into an image of the same size.
+void CopyLevel(vtkVoxelLineDensities* densities, int level, vtkImageData* image)
 {
-  double sum = 0.0;
-  for (vtkIdType i = first; i < last; ++i)
+  if (level > 0)
   {
-    double start[3];
-    double end[3];
-    reader.GetPoints(i, start, end);
-    sum += std::sqrt(vtkMath::Distance2BetweenPoints(start, end));
+    image->GetPointData()->SetScalars(densities->GetValues(level));
+    return;
   }
-  return sum;
+  vtkNew<vtkFloatArray> density;
+  density->SetName("Density");
+  density->SetNumberOfValues(image->GetNumberOfPoints());
+  image->GetPointData()->SetScalars(density);
+  float* values = density->GetPointer(0);
+  int size[3];
+  densities->GetDimensions(0, size);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(size[1]) * size[2], 16,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        for (int x = 0; x < size[0]; ++x)
+        {
+          values[row * size[0] + x] = densities->GetVoxel(
+            0, x, static_cast<int>(row % size[1]), static_cast<int>(row / size[1]));
+        }
+      }
+    });
+}
+
+/// Hand the progress of the densities on to the filter, and its abort back.
+void OnProgress(vtkObject* caller, unsigned long, void* filter, void* progress)
+{
+  vtkAlgorithm* algorithm = static_cast<vtkAlgorithm*>(filter);
+  algorithm->UpdateProgress(0.9 * *static_cast<double*>(progress));
+  if (vtkLineSetsCompatibility::CheckAbort(algorithm))
+  {
+    static_cast<vtkVoxelLineDensities*>(caller)->SetAbortBuild(true);
+  }
 }
 
 }
@@ -64,6 +99,29 @@ vtkVoxelLineDensity::vtkVoxelLineDensity() = default;
 
 //------------------------------------------------------------------------------
 vtkVoxelLineDensity::~vtkVoxelLineDensity() = default;
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineDensity::SetOpacityFunction(vtkPiecewiseFunction* function)
+{
+  if (this->OpacityFunction != function)
+  {
+    this->OpacityFunction = function;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPiecewiseFunction* vtkVoxelLineDensity::GetOpacityFunction() const
+{
+  return this->OpacityFunction;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkVoxelLineDensity::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->OpacityFunction ? std::max(time, this->OpacityFunction->GetMTime()) : time;
+}
 
 //------------------------------------------------------------------------------
 int vtkVoxelLineDensity::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
@@ -81,13 +139,78 @@ int vtkVoxelLineDensity::RequestInformation(vtkInformation* vtkNotUsed(request),
   {
     producer->Update(port);
   }
-  const Placement placement(vtkVoxelLineModel::GetData(inputVector[0]));
+  const Placement placement(vtkVoxelLineModel::GetData(inputVector[0]), this->Level);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), placement.Extent, 6);
   outInfo->Set(vtkDataObject::ORIGIN(), placement.Origin, 3);
   outInfo->Set(vtkDataObject::SPACING(), placement.Spacing, 3);
   vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_FLOAT, 1);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineDensity::SetOpacities(vtkVoxelLineModel* model, vtkVoxelLineDensities* densities)
+{
+  densities->SetOpacity(this->Opacity);
+  densities->SetUseColorOpacity(this->UseColorOpacity);
+  if (!this->OpacityFunction || model->GetNumberOfSegments() == 0)
+  {
+    return;
+  }
+  if (model->GetAttributeKind() != vtkVoxelLineModel::Scalar)
+  {
+    vtkWarningMacro("OpacityFunction is set, but the model has no scalar attributes that it could "
+                    "be applied to; all lines have Opacity.");
+    return;
+  }
+  std::array<double, vtkVoxelLineDensities::TableSize> table;
+  const double largest = model->GetHasNaNAttribute() ? 254.0 : 255.0;
+  const double* range = model->GetAttributeRange();
+  for (std::size_t byte = 0; byte < table.size(); ++byte)
+  {
+    const double fraction = static_cast<double>(byte) / largest;
+    table[byte] = fraction > 1.0
+      ? this->NaNOpacity
+      : this->OpacityFunction->GetValue((1.0 - fraction) * range[0] + fraction * range[1]);
+  }
+  densities->SetOpacityTable(table.data());
+}
+
+//------------------------------------------------------------------------------
+bool vtkVoxelLineDensity::BuildDensities(vtkVoxelLineModel* model, vtkVoxelLineDensities* densities)
+{
+  std::string error = model ? model->FindDefect() : std::string();
+  if (error.empty())
+  {
+    error = vtkVoxelLineLevels::FindLevelError(model, this->Level);
+  }
+  if (error.empty() && !std::isfinite(this->Opacity))
+  {
+    error = "Opacity is " + std::to_string(this->Opacity) + "; it must be finite.";
+  }
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    this->SetErrorCode(vtkErrorCode::UserError);
+    return false;
+  }
+  if (!model)
+  {
+    return false;
+  }
+  vtkNew<vtkCallbackCommand> onProgress;
+  onProgress->SetCallback(OnProgress);
+  onProgress->SetClientData(this);
+  densities->AddObserver(vtkCommand::ProgressEvent, onProgress);
+  this->SetOpacities(model, densities);
+  const bool isBuilt = densities->Build(model);
+  densities->RemoveObserver(onProgress);
+  if (!isBuilt && !densities->GetAbortBuild())
+  {
+    // It has told why.
+    this->SetErrorCode(vtkErrorCode::UserError);
+  }
+  return isBuilt && densities->GetNumberOfLevels() > 0;
 }
 
 //------------------------------------------------------------------------------
@@ -98,57 +221,16 @@ int vtkVoxelLineDensity::RequestData(vtkInformation* vtkNotUsed(request),
   vtkImageData* image = vtkImageData::GetData(outputVector);
   image->Initialize();
   this->SetErrorCode(vtkErrorCode::NoError);
-  if (this->Level != 0)
-  {
-    vtkErrorMacro("Level is " << this->Level << "; the model has level 0 only.");
-    this->SetErrorCode(vtkErrorCode::UserError);
-    return 1;
-  }
-  const std::string defect = model ? model->FindDefect() : std::string();
-  if (!defect.empty())
-  {
-    vtkErrorMacro(<< defect);
-    this->SetErrorCode(vtkErrorCode::UserError);
-    return 1;
-  }
-  if (!model || model->GetNumberOfSegments() == 0)
+  vtkNew<vtkVoxelLineDensities> densities;
+  if (!this->BuildDensities(model, densities))
   {
     return 1;
   }
-
-  const Placement placement(model);
-  image->SetExtent(const_cast<int*>(placement.Extent));
+  Placement placement(model, this->Level);
+  image->SetExtent(placement.Extent);
   image->SetOrigin(placement.Origin);
   image->SetSpacing(placement.Spacing);
-  vtkNew<vtkFloatArray> density;
-  density->SetName("Density");
-  density->SetNumberOfTuples(image->GetNumberOfPoints());
-  density->FillValue(0.0f);
-  image->GetPointData()->SetScalars(density);
-  this->UpdateProgress(0.1);
-  if (vtkLineSetsCompatibility::CheckAbort(this))
-  {
-    return 1;
-  }
-
-  const vtkVoxelLineSegments::Reader reader(model);
-  const int* dimensions = model->GetDimensions();
-  float* values = density->GetPointer(0);
-  // Each voxel belongs to one brick, and its sum has one order: threads change nothing.
-  vtkSMPTools::For(0, reader.GetNumberOfBricks(), 64,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType brick = begin; brick < end; ++brick)
-      {
-        reader.VisitVoxels(brick,
-          [&](const int voxel[3], vtkIdType first, vtkIdType last)
-          {
-            const vtkIdType index = voxel[0] +
-              dimensions[0] * (voxel[1] + static_cast<vtkIdType>(dimensions[1]) * voxel[2]);
-            values[index] = static_cast<float>(this->Opacity * SumLengths(reader, first, last));
-          });
-      }
-    });
+  CopyLevel(densities, this->Level, image);
   return 1;
 }
 
@@ -158,4 +240,7 @@ void vtkVoxelLineDensity::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Level: " << this->Level << "\n";
   os << indent << "Opacity: " << this->Opacity << "\n";
+  os << indent << "OpacityFunction: " << this->OpacityFunction.Get() << "\n";
+  os << indent << "NaNOpacity: " << this->NaNOpacity << "\n";
+  os << indent << "UseColorOpacity: " << (this->UseColorOpacity ? "On" : "Off") << "\n";
 }

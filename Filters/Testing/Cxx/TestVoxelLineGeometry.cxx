@@ -322,7 +322,7 @@ void TestErrors(Checks& check)
   density->SetLevel(-1);
   density->Update();
   check(observer->NumberOfErrors == 1 &&
-      observer->ErrorMessage.find("level 0 only") != std::string::npos &&
+      observer->ErrorMessage.find("the levels 0 to") != std::string::npos &&
       density->GetErrorCode() == vtkErrorCode::UserError,
     "density of another level");
   observer->Clear();
