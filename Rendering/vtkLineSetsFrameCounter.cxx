@@ -3,6 +3,7 @@
 #include "vtkLineSetsFrameCounter.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
 
@@ -18,13 +19,26 @@ vtkLineSetsFrameCounter::~vtkLineSetsFrameCounter()
   {
     if (entry->Renderer)
     {
-      entry->Renderer->RemoveObserver(entry->Tag);
+      entry->Renderer->RemoveObserver(entry->StartTag);
+      entry->Renderer->RemoveObserver(entry->EndTag);
     }
   }
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkLineSetsFrameCounter::GetFrame(vtkRenderer* renderer)
+{
+  return this->GetEntry(renderer).Frame;
+}
+
+//------------------------------------------------------------------------------
+bool vtkLineSetsFrameCounter::IsInFrame(vtkRenderer* renderer)
+{
+  return this->GetEntry(renderer).InFrame;
+}
+
+//------------------------------------------------------------------------------
+vtkLineSetsFrameCounter::Entry& vtkLineSetsFrameCounter::GetEntry(vtkRenderer* renderer)
 {
   const auto gone = [](const std::unique_ptr<Entry>& entry) { return !entry->Renderer; };
   this->Entries.erase(
@@ -33,7 +47,7 @@ vtkIdType vtkLineSetsFrameCounter::GetFrame(vtkRenderer* renderer)
   {
     if (entry->Renderer == renderer)
     {
-      return entry->Frame;
+      return *entry;
     }
   }
 
@@ -44,12 +58,17 @@ vtkIdType vtkLineSetsFrameCounter::GetFrame(vtkRenderer* renderer)
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(entry.get());
   command->SetCallback(
-    [](vtkObject*, unsigned long, void* data, void*)
+    [](vtkObject*, unsigned long event, void* data, void*)
     {
       auto* self = static_cast<Entry*>(data);
-      self->Frame = ++*self->Next;
+      self->InFrame = event == vtkCommand::StartEvent;
+      if (self->InFrame)
+      {
+        self->Frame = ++*self->Next;
+      }
     });
-  entry->Tag = renderer->AddObserver(vtkCommand::StartEvent, command);
+  entry->StartTag = renderer->AddObserver(vtkCommand::StartEvent, command);
+  entry->EndTag = renderer->AddObserver(vtkCommand::EndEvent, command);
   this->Entries.push_back(std::move(entry));
-  return this->Entries.back()->Frame;
+  return *this->Entries.back();
 }

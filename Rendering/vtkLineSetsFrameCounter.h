@@ -32,6 +32,9 @@ public:
    */
   vtkIdType GetFrame(vtkRenderer* renderer);
 
+  /// Whether the renderer is drawing a frame; true before its first one ends.
+  bool IsInFrame(vtkRenderer* renderer);
+
 private:
   vtkLineSetsFrameCounter(const vtkLineSetsFrameCounter&) = delete;
   void operator=(const vtkLineSetsFrameCounter&) = delete;
@@ -39,10 +42,14 @@ private:
   struct Entry
   {
     vtkWeakPointer<vtkRenderer> Renderer;
-    unsigned long Tag = 0;
+    unsigned long StartTag = 0;
+    unsigned long EndTag = 0;
+    bool InFrame = true;
     vtkIdType Frame = 0;
     vtkIdType* Next = nullptr;
   };
+  Entry& GetEntry(vtkRenderer* renderer);
+
   std::vector<std::unique_ptr<Entry>> Entries;
   vtkIdType Next = 0;
 };

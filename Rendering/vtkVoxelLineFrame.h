@@ -15,6 +15,9 @@
  * camera is far away; D has unit length along the view direction. Only s in [NearestS, FarthestS]
  * is visible. The depth of a point is 0.5 (DepthZ[0] + s DepthZ[1]) / (DepthW[0] + s DepthW[1]) +
  * 0.5.
+ *
+ * <b>Widths.</b> Half a pixel, of its two sides the larger one, has at s the length HalfPixel[0] +
+ * s HalfPixel[1] in voxels. Where ThinTubes is set, a tube is drawn with at least that radius.
  */
 
 #ifndef vtkVoxelLineFrame_h
@@ -38,6 +41,9 @@ struct vtkVoxelLineFrame
   glm::vec3 Direction[3];
   float NearestS = 0.0f;
   float FarthestS = 0.0f;
+  glm::vec2 HalfPixel = glm::vec2(0.0f);
+  /// Smallest and largest s of the box of all that is drawn.
+  glm::vec2 BoxS = glm::vec2(0.0f);
   glm::vec2 DepthZ = glm::vec2(0.0f);
   glm::vec2 DepthW = glm::vec2(1.0f, 0.0f);
 
@@ -50,6 +56,12 @@ struct vtkVoxelLineFrame
 
   /// Tube radius in voxels. Where the model has radii, the radius that byte 255 stands for.
   float Radius = 0.25f;
+  /// Whether some tube may be narrower than two pixels, by which its light changes over to that of
+  /// a line; and narrower than one, by which it is widened to that and covers a part of it only.
+  bool NarrowTubes = false;
+  bool ThinTubes = false;
+  /// With ThinTubes: no radius is drawn larger than this, in voxels.
+  float LargestRadius = 0.0f;
 
   /// What colours the lines: Color, or Table by scalar attribute, or direct colour attributes.
   enum ColoringType
@@ -76,6 +88,8 @@ struct vtkVoxelLineFrame
   bool Lighting = true;
   /// Lights, light model and exponent.
   vtkLineSetsLighting Light;
+  /// Whether wide tubes are lit as lines are, because the light model is for lines alone.
+  bool LitAsLines = false;
 
   /// A ray ends where its opacity reaches this. Above 1: only behind opaque lines.
   float EarlyTermination = 0.99f;
@@ -90,7 +104,7 @@ struct vtkVoxelLineFrame
     {
       return true;
     }
-    bool opaque = this->Opacity >= 1.0f && this->Coloring != Direct;
+    bool opaque = this->Opacity >= 1.0f && this->Coloring != Direct && !this->ThinTubes;
     for (std::size_t i = 0; this->Coloring == Table && i < this->ColorTable.size(); ++i)
     {
       opaque = opaque && this->ColorTable[i].w >= 1.0f;

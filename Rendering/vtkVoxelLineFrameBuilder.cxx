@@ -4,6 +4,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkLineIllumination.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
@@ -136,6 +137,15 @@ void TransformVector(const double matrix[16], const double v[3], double w, doubl
   }
 }
 
+// Half of a side of a pixel at the distance s, as a sum of a constant and a multiple of s. Where
+// the pixels' edges begin and where they go are parallel.
+glm::vec2 GetHalfSide(const double atOrigin[3], const double perS[3])
+{
+  const double sign = vtkMath::Dot(atOrigin, perS) < 0.0 ? -0.5 : 0.5;
+  return glm::vec2(static_cast<float>(0.5 * vtkMath::Norm(atOrigin)),
+    static_cast<float>(sign * vtkMath::Norm(perS)));
+}
+
 // s at which the depth is -1 (near) or 1 (far) in normalized device coordinates.
 float GetPlaneS(const double z[2], const double w[2], double side)
 {
@@ -237,6 +247,7 @@ std::string vtkVoxelLineFrameBuilder::SetView(
   double distances[2];
   GetBoxDistances(grid, viewFromLocal, distances);
   const double distance = std::isfinite(zNear) ? std::max(distances[0], -zNear) : distances[0];
+  frame.HalfPixel = glm::vec2(0.0f);
   for (int i = 0; i < 3; ++i)
   {
     double origin[3];
@@ -245,14 +256,22 @@ std::string vtkVoxelLineFrameBuilder::SetView(
     double local[3];
     TransformVector(localFromView, origin, i == 0 ? 1.0 : 0.0, local);
     frame.Origin[i] = ToVec3(local);
-    TransformVector(localFromView, direction, 0.0, local);
-    frame.Direction[i] = ToVec3(local);
+    double perS[3];
+    TransformVector(localFromView, direction, 0.0, perS);
+    frame.Direction[i] = ToVec3(perS);
+    const glm::vec2 side = GetHalfSide(local, perS);
+    if (i > 0 && side.x + std::abs(side.y) > frame.HalfPixel.x + std::abs(frame.HalfPixel.y))
+    {
+      frame.HalfPixel = side;
+    }
   }
 
   const double z[2] = { p[11] - p[10] * distance, -p[10] };
   const double w[2] = { p[15] - p[14] * distance, -p[14] };
   frame.NearestS = GetPlaneS(z, w, -1.0);
   frame.FarthestS = GetPlaneS(z, w, 1.0);
+  frame.BoxS = glm::vec2(
+    static_cast<float>(distances[0] - distance), static_cast<float>(distances[1] - distance));
   frame.DepthZ = glm::vec2(static_cast<float>(z[0]), static_cast<float>(z[1]));
   frame.DepthW = glm::vec2(static_cast<float>(w[0]), static_cast<float>(w[1]));
 
@@ -265,6 +284,33 @@ std::string vtkVoxelLineFrameBuilder::SetView(
   }
   frame.NormalFromLocal = GetNormalMatrix(viewFromLocal);
   return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineFrameBuilder::SetWidths(
+  vtkVoxelLineFrame& frame, const Grid& grid, double smallest, bool widen)
+{
+  const float nearest = std::max(frame.NearestS, frame.BoxS.x);
+  const float farthest = std::min(frame.FarthestS, frame.BoxS.y);
+  const double perS = frame.HalfPixel.y;
+  const double largest = frame.HalfPixel.x + std::max(perS * nearest, perS * farthest);
+  const bool visible = widen && nearest <= farthest && frame.Radius > 0.0f;
+  frame.NarrowTubes = visible && smallest < 2.0 * largest;
+  frame.ThinTubes = visible && smallest < largest;
+  frame.LargestRadius = frame.Radius;
+  if (frame.ThinTubes)
+  {
+    // With the tubes the box grows, and with the box the largest distance.
+    double perVoxel = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      perVoxel += std::abs(frame.ViewFromLocal[i].z);
+    }
+    perVoxel *= std::abs(perS);
+    const double limit = LargestRadius * *std::max_element(grid.Dimensions, grid.Dimensions + 3);
+    const double radius = perVoxel < 1.0 ? largest / (1.0 - perVoxel) : limit;
+    frame.LargestRadius = std::max(frame.Radius, static_cast<float>(std::min(radius, limit)));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -327,6 +373,9 @@ void vtkVoxelLineFrameBuilder::SetLighting(vtkVoxelLineFrame& frame, vtkRenderer
   frame.Light.SetRenderer(renderer);
   frame.Light.SetModel(illumination, property);
   frame.Lighting = property->GetLighting() && !frame.Light.Lights.empty();
+  // The brightest light of any facet, and stretched light, are not what a surface reflects.
+  frame.LitAsLines = illumination->GetModel() == vtkLineIllumination::MaximumReflection ||
+    illumination->GetStretchDynamicRange();
 }
 
 //------------------------------------------------------------------------------
@@ -344,7 +393,9 @@ bool vtkVoxelLineFrameBuilder::IsSamePicture(const vtkVoxelLineFrame& a, const v
     a.SpecularColor == b.SpecularColor && a.Ambient == b.Ambient && a.Diffuse == b.Diffuse &&
     a.Specular == b.Specular && a.Opacity == b.Opacity && a.Lighting == b.Lighting;
   return sameView && sameColors && sameMaterial && a.Light == b.Light && a.Radius == b.Radius &&
-    a.EarlyTermination == b.EarlyTermination && a.Picking == b.Picking;
+    a.LitAsLines == b.LitAsLines && a.NarrowTubes == b.NarrowTubes && a.ThinTubes == b.ThinTubes &&
+    a.LargestRadius == b.LargestRadius && a.EarlyTermination == b.EarlyTermination &&
+    a.Picking == b.Picking;
 }
 
 //------------------------------------------------------------------------------

@@ -27,6 +27,10 @@ class vtkRenderer;
 class VTKRENDERINGLINESETS_EXPORT vtkVoxelLineFrameBuilder
 {
 public:
+  /// Tubes are not drawn with a larger radius than this, in units of the longest side of the grid:
+  /// single precision would lose the lines in them.
+  static constexpr double LargestRadius = 4.0;
+
   /// Where the grid of a model lies.
   struct Grid
   {
@@ -66,6 +70,13 @@ public:
    * depends on more than the distance along the view direction.
    */
   static std::string SetView(vtkVoxelLineFrame& frame, const View& view, const Grid& grid);
+
+  /**
+   * Decide whether tubes are widened to the width of a pixel, for a frame with a view and a radius.
+   * smallest is the smallest radius above 0, in voxels. Without widen tubes have the width that
+   * their radius gives, at whatever size.
+   */
+  static void SetWidths(vtkVoxelLineFrame& frame, const Grid& grid, double smallest, bool widen);
 
   /// World clipping planes (may be null) to grid-local half spaces.
   static void SetClippingPlanes(

@@ -17,6 +17,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVoxelLineColoring.h"
 #include "vtkVoxelLineModel.h"
 #include "vtkVoxelLinePainter.h"
@@ -40,6 +41,20 @@ constexpr int StepsWarning = -1;
 double GetLongestSide(const double bounds[6])
 {
   return std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+}
+
+// The smallest byte of a model's radii, but for segments without any width.
+int FindSmallestByte(vtkVoxelLineModel* model)
+{
+  vtkUnsignedCharArray* radii = model->GetRadii();
+  const unsigned char* bytes = radii->GetPointer(0);
+  int smallest = 255;
+  for (vtkIdType i = 0; i + 1 < radii->GetNumberOfValues(); i += 2)
+  {
+    const int least = std::min(bytes[i], bytes[i + 1]);
+    smallest = bytes[i] + bytes[i + 1] > 0 ? std::min(smallest, least) : smallest;
+  }
+  return smallest;
 }
 }
 
@@ -79,6 +94,24 @@ public:
     this->Model = model;
   }
 
+  // Answer of GetSmallestRadius() for the model at a time.
+  vtkVoxelLineModel* RadiusModel = nullptr;
+  vtkMTimeType RadiusTime = 0;
+  double SmallestRadius = 0.0;
+
+  // The smallest radius of a model that has radii; what is invisible does not count.
+  double GetSmallestRadius()
+  {
+    if (this->RadiusModel != this->Model || this->RadiusTime != this->Model->GetMTime())
+    {
+      this->RadiusModel = this->Model;
+      this->RadiusTime = this->Model->GetMTime();
+      this->SmallestRadius =
+        this->Model->GetMaximumRadius() * FindSmallestByte(this->Model) / 255.0;
+    }
+    return this->SmallestRadius;
+  }
+
   bool HasTranslucentColors()
   {
     if (this->Model &&
@@ -89,6 +122,19 @@ public:
       this->TranslucentColors = vtkVoxelLineColoring::HasTranslucentColors(this->Model);
     }
     return this->Model && this->TranslucentColors;
+  }
+
+  // What the painter needs to know of the mapper that these belong to, for a model that is valid.
+  vtkVoxelLinePainter::Scene DescribeScene(vtkVoxelLineMapper* mapper)
+  {
+    vtkVoxelLinePainter::Scene scene;
+    scene.Mapper = mapper;
+    scene.Model = this->Model;
+    scene.Input = this->Input;
+    scene.Radius = mapper->GetRadiusInUse();
+    scene.SmallestRadius = this->Model->GetRadii() ? this->GetSmallestRadius() : scene.Radius;
+    scene.TranslucentColors = this->HasTranslucentColors();
+    return scene;
   }
 };
 
@@ -428,8 +474,12 @@ bool vtkVoxelLineMapper::HasTranslucentPolygonalGeometry()
   }
   vtkVoxelLineFrame frame;
   vtkVoxelLineColoring::SetColors(frame, this, model);
-  return frame.Coloring == vtkVoxelLineFrame::Direct ? this->Internals->HasTranslucentColors()
-                                                     : !frame.IsOpaque();
+  const bool translucent = frame.Coloring == vtkVoxelLineFrame::Direct
+    ? this->Internals->HasTranslucentColors()
+    : !frame.IsOpaque();
+  return translucent ||
+    (model->GetNumberOfSegments() > 0 && model->FindDefect().empty() &&
+      this->Internals->Painter.HasThinTubes(this->Internals->DescribeScene(this)));
 }
 
 //------------------------------------------------------------------------------
@@ -467,12 +517,11 @@ void vtkVoxelLineMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     return;
   }
 
-  vtkVoxelLinePainter::Scene scene;
-  scene.Mapper = this;
-  scene.Model = model;
-  scene.Input = this->Internals->Input;
-  scene.Radius = this->GetRadiusInUse();
-  scene.TranslucentColors = this->Internals->HasTranslucentColors();
+  const vtkVoxelLinePainter::Scene scene = this->Internals->DescribeScene(this);
+  if (this->Internals->Painter.IsLeftToTranslucentPass(scene, renderer, actor))
+  {
+    return;
+  }
   vtkVoxelLinePainter::Warnings warnings;
   this->ErrorOnce(this->Internals->Painter.Draw(scene, renderer, actor, warnings));
   for (const auto& [kind, text] : warnings)
@@ -529,6 +578,7 @@ void vtkVoxelLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetEarlyTermination(other->EarlyTermination);
     this->SetEngine(other->Engine);
     this->SetIllumination(other->GetIllumination());
+    this->SetSubPixelCoverage(other->SubPixelCoverage);
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -544,6 +594,7 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InteriorTolerance: " << this->InteriorTolerance << "\n";
   os << indent << "EarlyTermination: " << this->EarlyTermination << "\n";
   os << indent << "Engine: " << this->Engine << "\n";
+  os << indent << "SubPixelCoverage: " << (this->SubPixelCoverage ? "On" : "Off") << "\n";
   os << indent << "Illumination:\n";
   this->Internals->Illumination->PrintSelf(os, indent.GetNextIndent());
   os << indent << "EngineInUse: " << this->EngineInUse << "\n";

@@ -35,10 +35,19 @@
  * Of vtkProperty count colours, ambient, diffuse, specular, specular power, opacity and lighting;
  * representation, line width, interpolation and textures do not.
  *
+ * <b>Light</b> is that of vtkLineIllumination. Tubes wider than a pixel show it at each point of
+ * their surface, as vtkPolyDataMapper's surfaces do, and thinner ones as its average over their
+ * width; see SubPixelCoverage. A model of light that no surface has, MaximumReflection or a
+ * stretched dynamic range, lights tubes of any width as lines. In parallel views the viewer is in
+ * the direction of the camera everywhere, whereas surfaces in VTK 9.1 take the direction to the
+ * camera's position, which moves their highlights.
+ *
  * <b>Passes.</b> The picture is ray cast once per frame and drawn as one layer with depth, in the
  * plain pass and in order-independent translucency and depth peeling. Rays end at opaque actors
- * drawn before. To other translucent actors the lines are one layer, at the depth of the first
- * line.
+ * drawn before. Where tubes are thinner than a pixel (SubPixelCoverage), what is behind them shows
+ * through, and they are drawn in the translucent pass; an actor with ForceOpaque hides opaque
+ * actors drawn later behind them. To other translucent actors the lines are one layer, at the depth
+ * of the first line.
  *
  * <b>Selection</b> with vtkHardwareSelector gives for cells the cell of the input that a line came
  * from, with the composite index 1 (plus the index of the input connection, where a shared model
@@ -171,6 +180,25 @@ public:
   vtkLineIllumination* GetIllumination();
   ///@}
 
+  ///@{
+  /**
+   * Whether tubes that are thinner than a pixel are drawn one pixel wide with the opacity
+   * multiplied by the part of that width which they cover, and lit by the average over their width
+   * (Mallo, Peikert, Sigg and Sadlo, "Illuminated Lines Revisited", 2005, Sec. 2.2); between one
+   * and two pixels the light changes over to that of a surface, which has the same average. So the
+   * brightness of the picture stays the same at all distances, and no line is lost between pixels.
+   * Selection finds such tubes one pixel wide. Default true. Off: each pixel shows what lies at its
+   * centre, with the light of a surface. A tube of radius 0 is invisible in either case.
+   *
+   * A pixel's width is its larger side in the coordinates of the data: an actor scaled unevenly
+   * widens some tubes to more than a pixel. A line that passes itself within the width of a pixel
+   * at the same depth counts once there.
+   */
+  vtkSetMacro(SubPixelCoverage, bool);
+  vtkGetMacro(SubPixelCoverage, bool);
+  vtkBooleanMacro(SubPixelCoverage, bool);
+  ///@}
+
   /// Engine of the last frame: Native or Shader; Automatic before the first one.
   vtkGetMacro(EngineInUse, int);
 
@@ -201,8 +229,11 @@ public:
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
   ///@}
 
-  /// Whether lookup table or direct colours let something through; the property's opacity comes on
-  /// top.
+  /**
+   * Whether lookup table or direct colours let something through, or tubes are thinner than a pixel
+   * as the cameras stand of those renderers that have drawn them; the property's opacity comes on
+   * top.
+   */
   bool HasTranslucentPolygonalGeometry() override;
 
   /// Selection works as the class description tells.
@@ -234,6 +265,7 @@ protected:
   double EarlyTermination = 0.99;
   int Engine = Automatic;
   int EngineInUse = Automatic;
+  bool SubPixelCoverage = true;
   double ModelBuildTime = 0.0;
 
 private:

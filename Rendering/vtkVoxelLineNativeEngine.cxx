@@ -119,6 +119,7 @@ struct RayCaster
     , Frame(settings)
     , RayOrigins(settings.Origin)
     , RayDirections(settings.Direction)
+    , HalfPixel(settings.HalfPixel)
     , NearestS(settings.NearestS)
     , FarthestS(settings.FarthestS)
     , DepthZ(settings.DepthZ)
@@ -126,6 +127,10 @@ struct RayCaster
     , PlaneCount(static_cast<int>(settings.ClippingPlanes.size()))
     , Planes(settings.ClippingPlanes.data())
     , Radius(settings.Radius)
+    , LargestRadius(settings.ThinTubes ? settings.LargestRadius : settings.Radius)
+    , ThinTubes(settings.ThinTubes)
+    , NarrowTubes(settings.NarrowTubes)
+    , LitAsLines(settings.LitAsLines)
     , HasRadii(source->GetRadii() != nullptr)
     , SegmentWords(source->GetSegmentWords())
     , InteriorBins(source->GetInteriorBins())
@@ -302,7 +307,7 @@ struct RayCaster
       }
     }
     // Rounding in the projection is far below a thousandth of a bin of 32.
-    const float wide = this->Radius * 1.001f + 1e-4f;
+    const float wide = this->RayRadius * 1.001f + 1e-4f;
     this->Projection.Radius2 = wide * wide;
     this->Projection.FaceBits = this->FaceBits;
   }
@@ -313,6 +318,7 @@ struct RayCaster
   const vtkVoxelLineFrame& Frame;
   const vec3* RayOrigins;
   const vec3* RayDirections;
+  vec2 HalfPixel;
   Real NearestS;
   Real FarthestS;
   vec2 DepthZ;
@@ -322,6 +328,10 @@ struct RayCaster
   ivec3 GridDimensions;
   ivec3 BrickDimensions;
   Real Radius;
+  Real LargestRadius;
+  bool ThinTubes;
+  bool NarrowTubes;
+  bool LitAsLines;
   bool HasRadii;
   int SegmentWords;
   int FaceBits = 0;
@@ -380,6 +390,8 @@ struct RayCaster
 #include "glsl/vtkVoxelLineSegment.glsl"
 
 #include "glsl/vtkVoxelLineHits.glsl"
+
+#include "glsl/vtkVoxelLineShading.glsl"
 
 #include "glsl/vtkVoxelLineLayers.glsl"
 

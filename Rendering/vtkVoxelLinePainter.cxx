@@ -29,9 +29,6 @@ namespace
 // An early end that no sum of opacities reaches: rays end behind opaque lines only.
 constexpr float NeverEarly = 2.0f;
 
-// Largest radius, in units of the longest side of the grid.
-constexpr double LargestRadius = 4.0;
-
 // Points are selected on top of a picture that was drawn just before; this much nearer, in units of
 // the depth buffer, so that rounding between two engines does not matter.
 constexpr float SelectionDepthOffset = -1e-5f;
@@ -92,17 +89,52 @@ vtkVoxelLineFrameBuilder::Grid vtkVoxelLinePainter::GetGrid(const Scene& scene, 
   grid.VoxelSize = scene.Model->GetVoxelSize();
   grid.Margin = scene.Radius / grid.VoxelSize;
   // Beyond this, single precision would lose the lines in their tubes.
-  const double largest = LargestRadius * *std::max_element(grid.Dimensions, grid.Dimensions + 3);
+  const double largest = vtkVoxelLineFrameBuilder::LargestRadius *
+    *std::max_element(grid.Dimensions, grid.Dimensions + 3);
   if (grid.Margin > largest)
   {
     grid.Margin = largest;
     std::ostringstream message;
-    message << "The radius " << scene.Radius << " is more than " << LargestRadius
+    message << "The radius " << scene.Radius << " is more than "
+            << vtkVoxelLineFrameBuilder::LargestRadius
             << " times the size of all lines; the lines are drawn with the radius "
             << largest * grid.VoxelSize << ". Set a smaller one.";
     warnings[HugeRadius] = message.str();
   }
   return grid;
+}
+
+//------------------------------------------------------------------------------
+vtkVoxelLineViews::Tubes vtkVoxelLinePainter::GetTubes(const Scene& scene)
+{
+  vtkVoxelLineViews::Tubes tubes;
+  Warnings ignored; // a picture tells them
+  tubes.Grid = GetGrid(scene, ignored);
+  tubes.SmallestRadius = std::min(scene.SmallestRadius / tubes.Grid.VoxelSize, tubes.Grid.Margin);
+  return tubes;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVoxelLinePainter::IsLeftToTranslucentPass(
+  const Scene& scene, vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window || !scene.Mapper->GetSubPixelCoverage() || renderer->GetSelector())
+  {
+    return false;
+  }
+  int viewport[4] = { 0, 0, 0, 0 };
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const bool found =
+    this->Views.FindThinTubes(this->Frames, renderer, actor, viewport + 2, GetTubes(scene));
+  return found && !actor->IsRenderingTranslucentPolygonalGeometry() && !actor->GetForceOpaque();
+}
+
+//------------------------------------------------------------------------------
+bool vtkVoxelLinePainter::HasThinTubes(const Scene& scene)
+{
+  return scene.Mapper->GetSubPixelCoverage() &&
+    this->Views.HaveThinTubes(this->Frames, GetTubes(scene));
 }
 
 //------------------------------------------------------------------------------
@@ -167,6 +199,8 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
     frame, renderer, scene.Mapper->GetIllumination(), actor->GetProperty());
   vtkVoxelLineColoring::SetColors(frame, scene.Mapper, scene.Model);
   frame.Radius = static_cast<float>(grid.Margin);
+  vtkVoxelLineFrameBuilder::SetWidths(
+    frame, grid, GetTubes(scene).SmallestRadius, scene.Mapper->GetSubPixelCoverage());
   const double early = scene.Mapper->GetEarlyTermination();
   frame.EarlyTermination = early < 1.0 ? static_cast<float>(early) : NeverEarly;
 
@@ -193,7 +227,7 @@ std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkRenderer* re
   // Opaque lines need no depth of the scene: the final draw is tested against it, and a line behind
   // it hides nothing that is seen.
   const bool opaque = frame.Coloring == vtkVoxelLineFrame::Direct
-    ? frame.Opacity >= 1.0f && !scene.TranslucentColors
+    ? frame.Opacity >= 1.0f && !scene.TranslucentColors && !frame.ThinTubes
     : frame.IsOpaque();
   int readOrigin[2] = { 0, 0 };
   if (!opaque)
@@ -320,6 +354,8 @@ std::string vtkVoxelLinePainter::DrawNumbers(const Scene& scene, vtkHardwareSele
   vtkVoxelLineFrameBuilder::SetClippingPlanes(
     wanted.Frame, scene.Mapper->GetClippingPlanes(), view, grid);
   wanted.Frame.Radius = static_cast<float>(grid.Margin);
+  vtkVoxelLineFrameBuilder::SetWidths(
+    wanted.Frame, grid, GetTubes(scene).SmallestRadius, scene.Mapper->GetSubPixelCoverage());
 
   // The selector draws the scene once per number; one picture serves for all.
   if (!this->LastPick.IsSame(wanted))

@@ -19,6 +19,7 @@
 #include "vtkVoxelLineFrameBuilder.h"
 #include "vtkVoxelLineNativeEngine.h"
 #include "vtkVoxelLineShaderEngine.h"
+#include "vtkVoxelLineViews.h"
 
 #include "vtkOpenGLRenderTimer.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -52,6 +53,8 @@ public:
     vtkPolyData* Input = nullptr;
     /// Largest radius, in units of the data.
     double Radius = 0.0;
+    /// Smallest radius above 0, likewise.
+    double SmallestRadius = 0.0;
     /// Whether direct colours of the model let something through.
     bool TranslucentColors = false;
   };
@@ -71,6 +74,15 @@ public:
    * added where something was drawn that is not quite right.
    */
   std::string Draw(const Scene& scene, vtkRenderer* renderer, vtkActor* actor, Warnings& warnings);
+
+  /**
+   * Whether a draw in the opaque pass is to be left to the translucent pass of the same frame:
+   * where it turns out that tubes are thinner than a pixel in a view for which that was not known.
+   */
+  bool IsLeftToTranslucentPass(const Scene& scene, vtkRenderer* renderer, vtkActor* actor);
+
+  /// Whether tubes are thinner than a pixel in a view in which the scene was drawn.
+  bool HasThinTubes(const Scene& scene);
 
   /// vtkVoxelLineMapper::EngineType that would cast rays in a window.
   static int ChooseEngine(int engine, vtkOpenGLRenderWindow* window);
@@ -109,6 +121,7 @@ private:
   };
 
   void ReleaseTimer();
+  static vtkVoxelLineViews::Tubes GetTubes(const Scene& scene);
   static vtkVoxelLineFrameBuilder::Grid GetGrid(const Scene& scene, Warnings& warnings);
   std::string DrawPicture(const Scene& scene, vtkRenderer* renderer, vtkActor* actor,
     vtkOpenGLRenderWindow* window, const int viewport[4], Warnings& warnings);
@@ -123,6 +136,7 @@ private:
   vtkLineSetsLayer Layer;
   vtkLineSetsSceneDepth SceneDepth;
   vtkLineSetsFrameCounter Frames;
+  vtkVoxelLineViews Views;
   vtkVoxelLineShaderEngine ShaderEngine;
   vtkOpenGLRenderTimer Timer;
   vtkWeakPointer<vtkOpenGLRenderWindow> TimerWindow;

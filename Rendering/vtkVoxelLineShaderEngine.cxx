@@ -31,6 +31,7 @@
 #include "vtkVoxelLinePixel.h"
 #include "vtkVoxelLineRay.h"
 #include "vtkVoxelLineSegment.h"
+#include "vtkVoxelLineShading.h"
 #include "vtkVoxelLineTraversal.h"
 #include "vtkVoxelLineVertex.h"
 
@@ -258,7 +259,8 @@ bool vtkVoxelLineShaderEngine::Internals::Check(
   if (frame.Light.Lights.size() > vtkLineSetsLightingUniforms::MaximumLights)
   {
     return this->Fail(std::to_string(frame.Light.Lights.size()) +
-      " lights are switched on, the shader engine takes at most " + std::to_string(vtkLineSetsLightingUniforms::MaximumLights) +
+      " lights are switched on, the shader engine takes at most " +
+      std::to_string(vtkLineSetsLightingUniforms::MaximumLights) +
       "; the native engine takes any number.");
   }
   return true;
@@ -401,8 +403,8 @@ bool vtkVoxelLineShaderEngine::Internals::PrepareQuad(vtkOpenGLRenderWindow* win
   if (!this->Quad || this->QuadKind != kind)
   {
     std::string source = std::string("//VTK::System::Dec\n//VTK::Output::Dec\n") +
-      vtkVoxelLineFetch + vtkVoxelLinePacking + vtkVoxelLineCapsule +
-      vtkVoxelLineRay + vtkVoxelLineSegment + vtkVoxelLineHits + vtkVoxelLineLayers +
+      vtkVoxelLineFetch + vtkVoxelLinePacking + vtkVoxelLineCapsule + vtkVoxelLineRay +
+      vtkVoxelLineSegment + vtkVoxelLineHits + vtkVoxelLineShading + vtkVoxelLineLayers +
       vtkVoxelLineTraversal + vtkVoxelLinePixel + vtkVoxelLineFragment;
     vtkShaderProgram::Substitute(source, "//LineSets::Constants", kind);
     this->Quad.reset();

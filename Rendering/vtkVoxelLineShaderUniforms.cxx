@@ -33,6 +33,9 @@ std::string vtkVoxelLineShaderUniforms::MakeConstants(
   constant("bool", "Lighting", frame.Lighting && !frame.Picking ? 1 : 0);
   constant("bool", "Picking", frame.Picking ? 1 : 0);
   constant("bool", "AllOpaque", frame.IsOpaque() ? 1 : 0);
+  constant("bool", "ThinTubes", frame.ThinTubes ? 1 : 0);
+  constant("bool", "NarrowTubes", frame.NarrowTubes ? 1 : 0);
+  constant("bool", "LitAsLines", frame.LitAsLines ? 1 : 0);
   constant("bool", "HasScene", hasScene ? 1 : 0);
   os << vtkLineSetsLightingUniforms::GetSource(frame.Light);
   return os.str();
@@ -60,6 +63,10 @@ void vtkVoxelLineShaderUniforms::Set(
   program->SetUniform2f("PictureSize", pictureSize);
   program->SetUniform3fv("RayOrigins", 3, &frame.Origin[0][0]);
   program->SetUniform3fv("RayDirections", 3, &frame.Direction[0][0]);
+  if (program->IsUniformUsed("HalfPixel"))
+  {
+    program->SetUniform2f("HalfPixel", &frame.HalfPixel[0]);
+  }
   set1("NearestS", frame.NearestS);
   set1("FarthestS", frame.FarthestS);
   program->SetUniform2f("DepthZ", &frame.DepthZ[0]);
@@ -75,6 +82,7 @@ void vtkVoxelLineShaderUniforms::Set(
   model->GetBrickDimensions(size);
   set3("BrickGridSize", glm::vec3(size[0], size[1], size[2]));
   set1("Radius", frame.Radius);
+  set1("LargestRadius", frame.ThinTubes ? frame.LargestRadius : frame.Radius);
   set3("AmbientColor", frame.AmbientColor);
   set3("DiffuseColor", frame.DiffuseColor);
   set3("SpecularColor", frame.SpecularColor * frame.Specular);

@@ -11,6 +11,24 @@ Real middleOfSlab(int slab)
   return (Real(slab) + Real(0.5) - RayOrigin[AxisW]) * PerW;
 }
 
+// Half a pixel at a distance of the ray, in voxels.
+Real halfPixelAt(Real t)
+{
+  return clamp(RayPixel.x + RayPixel.y * t, Real(0), RayRadius);
+}
+
+// From the radii of a tube to those that it is drawn with: at least half a pixel. t is in the middle
+// of the tube's slab. What has no width at either end remains invisible.
+void widenTube(Real t, LS_INOUT(Real) ra, LS_INOUT(Real) rb)
+{
+  if (ThinTubes && max(ra, rb) > Real(0))
+  {
+    Real least = halfPixelAt(t);
+    ra = max(ra, least);
+    rb = max(rb, least);
+  }
+}
+
 bool isBefore(Real entry0, uint segment0, Real entry1, uint segment1)
 {
   return entry0 < entry1 || (entry0 == entry1 && segment0 < segment1);
@@ -89,6 +107,7 @@ void visitSegment(uint segment, int brick, ivec3 voxel, vec3 local, Real t)
   Real leave;
   fetchSegment(segment, a, b);
   fetchRadii(segment, ra, rb);
+  widenTube(t, ra, rb);
   if (!intersectTube(local, RayDirection, a, b, ra, rb, entry, leave))
   {
     return;

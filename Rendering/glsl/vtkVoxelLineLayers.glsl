@@ -61,8 +61,11 @@ void blendLayer(Real seen, bool fromInside, uint segment, int brick, ivec3 voxel
   fetchRadii(segment, ra, rb);
   Real t = middleOfSlab(voxel[AxisW]);
   vec3 x = RayOrigin + RayDirection * t - vec3(voxel) + RayDirection * (seen - t);
-  vec4 color = segmentColor(segment, tubeParameter(x, a, b));
-  color.w = Picking ? Real(1) : color.w * Opacity;
+  Real parameter = tubeParameter(x, a, b);
+  Real radius = ra + (rb - ra) * parameter;
+  widenTube(t, ra, rb);
+  vec4 color = segmentColor(segment, parameter);
+  color.w = Picking ? Real(1) : color.w * Opacity * tubeCoverage(radius, ra + (rb - ra) * parameter);
   if (color.w <= Real(0))
   {
     return;
@@ -73,18 +76,15 @@ void blendLayer(Real seen, bool fromInside, uint segment, int brick, ivec3 voxel
     FirstDistance = seen;
     FirstCurve = Picking ? int(fetchCurve(segment, brick)) : 0;
   }
-  vec3 shade = vec3(color);
-  vec3 ambient = (Coloring == 0 ? AmbientColor : shade) * Ambient;
+  vec3 ambient = (Coloring == 0 ? AmbientColor : vec3(color)) * Ambient;
+  vec3 diffuse = vec3(color) * Diffuse;
+  vec3 shade = ambient + diffuse;
   if (Lighting)
   {
-    vec3 normal = normalize(NormalFromLocal * tubeNormal(x, a, b, ra, rb));
-    normal = fromInside ? -normal : normal;
+    vec3 normal = tubeNormal(x, a, b, ra, rb);
     vec3 position = vec3(ViewFromLocal * vec4(x + vec3(voxel), Real(1)));
-    shade = lightSurface(position, normal, ambient, shade * Diffuse, SpecularColor, SpecularPower);
-  }
-  else
-  {
-    shade = ambient + shade * Diffuse;
+    shade = lightTube(
+      position, fromInside ? -normal : normal, b - a, surfacePart(radius, t), ambient, diffuse);
   }
   shade = clamp(shade, Real(0), Real(1));
   Real weight = (Real(1) - RayOpacity) * color.w;

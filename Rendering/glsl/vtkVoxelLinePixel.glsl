@@ -3,7 +3,7 @@
 //
 // The ray of one pixel: its interval between the near plane, the far plane, the clipping planes and
 // the opaque scene, its way through the model, its colour and depth. Common subset of GLSL and C++
-// with GLM. The engine supplies RayOrigins[3], RayDirections[3], NearestS, FarthestS, DepthZ,
+// with GLM. The engine supplies RayOrigins[3], RayDirections[3], HalfPixel, NearestS, FarthestS, DepthZ,
 // DepthW, PlaneCount and Planes[] as vtkVoxelLineFrame tells.
 
 // s at which a point has a depth from 0 to 1.
@@ -58,6 +58,7 @@ void castPixel(Real x, Real y, Real sceneDepth, LS_OUT(vec4) color, LS_OUT(Real)
   {
     return;
   }
+  RayPixel = vec2(HalfPixel.x, HalfPixel.y / size);
   castRay(origin, direction / size, start * size, end * size);
   if (HasLayer && RayOpacity > Real(0))
   {

@@ -9,6 +9,10 @@ vec3 RayDirection;
 Real RayStart;
 Real RayEnd;
 Real RayLimit; // RayEnd before opaque hits shortened it
+// Half a pixel at a distance t, in voxels, is RayPixel.x + t RayPixel.y.
+vec2 RayPixel;
+// Largest radius that the ray may meet, as it is drawn.
+Real RayRadius;
 // The two minor axes, U before V, and the major one, along which the slabs lie.
 int AxisU;
 int AxisV;

@@ -6,7 +6,8 @@
 // The ray goes through the grid slab by slab along the axis nearest to its direction. A tube reaches
 // out of the voxel that holds its segment by up to the radius; so each slab is visited over the
 // ray's way through the slab widened by the radius, and with all voxels that lie within
-// the radius of that way. Thereby every segment near the ray is tested exactly once, and whatever
+// the radius of that way. The radius is the largest one that the ray may meet: where tubes are thinner
+// than a pixel they are drawn as wide as one. Thereby every segment near the ray is tested exactly once, and whatever
 // later slabs hold begins behind the start of the next widened slab: hits before it can be blended.
 //
 // Hits wait in a small buffer, ordered by (entry, segment). Where it overflows, the ray
@@ -20,7 +21,7 @@
 // its layer is put off until the ray leaves the tube.
 //
 // The engine supplies what vtkVoxelLineFrame and vtkVoxelLineModel tell: GridDimensions,
-// BrickDimensions, Radius, HasRadii, SegmentWords, FaceBits, InteriorBins, IdExtension, Coloring,
+// BrickDimensions, Radius, LargestRadius, ThinTubes, NarrowTubes, LitAsLines, HasRadii, SegmentWords, FaceBits, InteriorBins, IdExtension, Coloring,
 // HasNaN, AmbientColor, DiffuseColor, Ambient, Diffuse, Opacity, Lighting, AllOpaque, Picking,
 // EarlyTermination, NormalFromLocal, ViewFromLocal; the constants HitCapacity, ActiveCapacity,
 // InsideCapacity and Beyond, a distance that no ray reaches; and
@@ -58,7 +59,7 @@ uint sliceOfBrick(uvec4 record, int layer)
 void visitVoxel(int u, int v, int slab, int brick, uvec4 record)
 {
   // A voxel farther from the ray than this, centre to line, holds nothing that reaches the ray.
-  Real reach = Radius + Real(0.8661);
+  Real reach = RayRadius + Real(0.8661);
   ivec3 voxel = AxisW == 0 ? ivec3(slab, u, v) : (AxisW == 1 ? ivec3(u, slab, v) : ivec3(u, v, slab));
   Real t = middleOfSlab(slab);
   vec3 local = RayOrigin + RayDirection * t - vec3(voxel);
@@ -180,12 +181,12 @@ void prepareSlabs()
   PerV = Real(1) / max(abs(SlopeV), Real(1e-6));
   BaseU = RayOrigin[AxisU] - o * SlopeU;
   BaseV = RayOrigin[AxisV] - o * SlopeV;
-  LowU = BaseU + min(-Radius * SlopeU, (Real(1) + Radius) * SlopeU) - Radius;
-  HighU = BaseU + max(-Radius * SlopeU, (Real(1) + Radius) * SlopeU) + Radius;
-  LowV = BaseV + min(-Radius * SlopeV, (Real(1) + Radius) * SlopeV) - Radius;
-  HighV = BaseV + max(-Radius * SlopeV, (Real(1) + Radius) * SlopeV) + Radius;
-  ReachU = (Real(0.5) + Radius) * abs(SlopeU) + Radius;
-  ReachV = (Real(0.5) + Radius) * abs(SlopeV) + Radius;
+  LowU = BaseU + min(-RayRadius * SlopeU, (Real(1) + RayRadius) * SlopeU) - RayRadius;
+  HighU = BaseU + max(-RayRadius * SlopeU, (Real(1) + RayRadius) * SlopeU) + RayRadius;
+  LowV = BaseV + min(-RayRadius * SlopeV, (Real(1) + RayRadius) * SlopeV) - RayRadius;
+  HighV = BaseV + max(-RayRadius * SlopeV, (Real(1) + RayRadius) * SlopeV) + RayRadius;
+  ReachU = (Real(0.5) + RayRadius) * abs(SlopeU) + RayRadius;
+  ReachV = (Real(0.5) + RayRadius) * abs(SlopeV) + RayRadius;
   SizeU = GridDimensions[AxisU];
   SizeV = GridDimensions[AxisV];
   ivec3 strides = ivec3(1, BrickDimensions.x, BrickDimensions.x * BrickDimensions.y);
@@ -204,15 +205,15 @@ void clipToGrid(LS_INOUT(Real) start, LS_INOUT(Real) end)
     Real size = Real(GridDimensions[axis]);
     if (abs(d) < Real(1e-9))
     {
-      if (o < -Radius || o > size + Radius)
+      if (o < -RayRadius || o > size + RayRadius)
       {
         end = start - Real(1);
       }
       continue;
     }
     Real perUnit = Real(1) / d;
-    Real t0 = (-Radius - o) * perUnit;
-    Real t1 = (size + Radius - o) * perUnit;
+    Real t0 = (-RayRadius - o) * perUnit;
+    Real t1 = (size + RayRadius - o) * perUnit;
     start = max(start, min(t0, t1));
     end = min(end, max(t0, t1));
   }
@@ -230,10 +231,15 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
   RayDirection = direction;
   Real gridStart = start;
   Real gridEnd = end;
+  RayRadius = LargestRadius;
   clipToGrid(gridStart, gridEnd);
   if (!(gridStart < gridEnd))
   {
     return;
+  }
+  if (ThinTubes)
+  {
+    RayRadius = max(Radius, max(halfPixelAt(gridStart), halfPixelAt(gridEnd)));
   }
   RayStart = start;
   RayEnd = end;
@@ -260,7 +266,7 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
   prepareSlabs();
   int slabs = GridDimensions[AxisW];
   int way = direction[AxisW] > Real(0) ? 1 : -1;
-  Real widening = Real(way) * Radius;
+  Real widening = Real(way) * RayRadius;
   Real atStart = origin[AxisW] + direction[AxisW] * gridStart - widening;
   Real atEnd = origin[AxisW] + direction[AxisW] * gridEnd + widening;
   int firstSlab = slabAt(atStart, slabs);

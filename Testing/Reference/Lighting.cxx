@@ -114,6 +114,7 @@ LightSet LightSet::FromRenderer(vtkRenderer* renderer)
   renderer->UpdateLightsGeometryToFollowCamera();
   vtkMatrix4x4* view = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
   LightSet result;
+  result.ParallelView = renderer->GetActiveCamera()->GetParallelProjection() != 0;
   result.Complexity = 0;
   result.Lights.clear();
   vtkCollectionSimpleIterator iterator;
@@ -135,7 +136,11 @@ LightSet LightSet::FromRenderer(vtkRenderer* renderer)
   }
   if (result.Lights.empty())
   {
-    return renderer->GetAutomaticLightCreation() ? LightSet() : result;
+    if (renderer->GetAutomaticLightCreation())
+    {
+      result.Complexity = 1;
+      result.Lights.resize(1);
+    }
   }
   return result;
 }
@@ -147,8 +152,12 @@ void Shade(const LightSet& lights, const Material& material, const double* color
   const double* ambient = colors ? colors : material.AmbientColor;
   const double* diffuse = colors ? colors : material.DiffuseColor;
   const bool lit = material.Lighting && lights.Complexity > 0 && !lights.Lights.empty();
-  double toViewer[3] = { -point[0], -point[1], -point[2] };
-  vtkMath::Normalize(toViewer);
+  double toViewer[3] = { 0.0, 0.0, 1.0 };
+  if (!lights.ParallelView)
+  {
+    std::transform(point, point + 3, toViewer, [](double x) { return -x; });
+    vtkMath::Normalize(toViewer);
+  }
   double diffuseLight[3] = { 0.0, 0.0, 0.0 };
   double specularLight[3] = { 0.0, 0.0, 0.0 };
   for (const Light& light : lights.Lights)

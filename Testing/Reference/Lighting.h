@@ -17,9 +17,11 @@
  * - 3, at least one positional light: as 2 with df = max(0, -a n.l) and sf = sign(df) a
  * (...)^power. For a positional light at q, l = (p - q) / |p - q| and, with d = |p - q|, a = 1 /
  * (a0 + a1 d + a2 d^2), times (l.axis)^exponent inside the cone of a light whose cone angle is
- * below 90 degrees, and a = 0 outside it. a = 1 for other lights. v points to the origin of the
- * view for parallel cameras too, as in VTK. The colour is clamped to [0,1], as a framebuffer with 8
- * bits per channel does before it blends.
+ * below 90 degrees, and a = 0 outside it. a = 1 for other lights. The colour is clamped to [0,1],
+ * as a framebuffer with 8 bits per channel does before it blends.
+ *
+ * In parallel views v = (0, 0, 1), the direction from which the surface is seen. There VTK itself
+ * takes -p / |p| as well, by which highlights move with the camera's distance.
  */
 
 #ifndef Lighting_h
@@ -65,6 +67,7 @@ struct LightSet
 {
   int Complexity = 1; ///< case 0 to 3 above
   std::vector<Light> Lights = std::vector<Light>(1);
+  bool ParallelView = false; ///< whether v is (0, 0, 1)
 
   /**
    * The lights of a renderer as it uses them with its active camera. Lights that follow the camera

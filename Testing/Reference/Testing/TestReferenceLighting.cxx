@@ -76,6 +76,8 @@ public:
     capsules.Capsules = { MakeCapsule(0.2, 0.1, -0.3, 0.2, 0.1, -0.3, 1.0) };
     ReferenceRenderer reference(capsules);
     reference.SetView(this->Renderer, this->Actor);
+    // VTK's surfaces take the direction to the camera's position in parallel views, too.
+    reference.Lights.ParallelView = false;
     ReferenceImage image;
     reference.Render(image);
     vtkNew<vtkImageData> picture;
@@ -169,6 +171,40 @@ void CheckSceneLights(Checker& checker, SphereScene& scene)
   positional->SetExponent(3.0);
   CheckBothProjections(checker, scene, "spot light");
 }
+
+// In parallel views all points are seen from the same direction: a light that is the same
+// everywhere gives them the colour of a point in the middle of a perspective view.
+void CheckParallelView(Checker& checker, SphereScene& scene)
+{
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  LightSet lights = LightSet::FromRenderer(scene.Renderer);
+  checker.Check(lights.ParallelView, "a parallel view is taken for one");
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOff();
+  checker.Check(
+    !LightSet::FromRenderer(scene.Renderer).ParallelView, "a perspective view is taken for one");
+
+  lights.Complexity = 2;
+  lights.Lights.resize(1);
+  lights.Lights[0].Direction[0] = 0.6;
+  lights.Lights[0].Direction[2] = -0.8;
+  Material material;
+  material.Diffuse = 0.5;
+  material.Specular = 0.5;
+  material.SpecularPower = 8.0;
+  const double normal[3] = { -0.28, 0.0, 0.96 };
+  const double aside[3] = { 2.0, -1.0, -3.0 };
+  const double middle[3] = { 0.0, 0.0, -3.0 };
+  double parallel[3];
+  double expected[3];
+  double perspective[3];
+  Shade(lights, material, nullptr, aside, normal, parallel);
+  lights.ParallelView = false;
+  Shade(lights, material, nullptr, middle, normal, expected);
+  Shade(lights, material, nullptr, aside, normal, perspective);
+  checker.Check(
+    std::fabs(parallel[0] - expected[0]) < 1e-12, "the view direction in parallel views");
+  checker.Check(std::fabs(parallel[0] - perspective[0]) > 0.01, "the two kinds of views differ");
+}
 }
 
 int TestReferenceLighting(int, char*[])
@@ -179,5 +215,6 @@ int TestReferenceLighting(int, char*[])
   CheckLights(checker, scenes[0]);
   CheckLightKit(checker, scenes[1]);
   CheckSceneLights(checker, scenes[2]);
+  CheckParallelView(checker, scenes[2]);
   return checker.GetExitCode();
 }
