@@ -35,7 +35,6 @@ constexpr const char* PowerAttribute = "linePowerMC";
 constexpr const char* Declarations = "#define Real float\n"
                                      "#define LS_OUT(T) out T\n"
                                      "#define LS_INOUT(T) inout T\n"
-                                     "uniform vec3 lineSpecularColor;\n"
                                      "in vec3 lineTangentVCVSOutput;\n";
 
 // The lit colour takes the place of the unlit one, which is the sum of the two.
@@ -248,6 +247,10 @@ bool vtkIlluminatedLineMapper::GetNeedToRebuildShaders(
     internals.VTKComplexity = complexity;
     complexity = static_cast<vtkInternals::Complexity>(0);
     source = Declarations;
+    // A constant 0 lets compilers leave out all that computes highlights.
+    source += actor->GetProperty()->GetSpecular() > 0.0
+      ? "uniform vec3 lineSpecularColor;\n"
+      : "const vec3 lineSpecularColor = vec3(0.0);\n";
     source += internals.Vertices.GetPowers()
       ? "in float linePowerVSOutput;\n#define linePower linePowerVSOutput\n"
       : "uniform float linePower;\n";

@@ -21,7 +21,6 @@ namespace
 {
 void SetLights(vtkShaderProgram* program, const std::vector<vtkLineSetsLight>& lights, int count)
 {
-  std::vector<int> kinds;
   std::vector<float> directions;
   std::vector<float> positions;
   std::vector<float> colors;
@@ -33,7 +32,6 @@ void SetLights(vtkShaderProgram* program, const std::vector<vtkLineSetsLight>& l
   for (int i = 0; i < count; ++i)
   {
     const vtkLineSetsLight& light = lights[i];
-    kinds.push_back(light.Kind);
     append(directions, light.Direction);
     append(positions, light.Position);
     append(colors, light.Color);
@@ -42,7 +40,6 @@ void SetLights(vtkShaderProgram* program, const std::vector<vtkLineSetsLight>& l
   }
   if (count > 0)
   {
-    program->SetUniform1iv("LightKind", count, kinds.data());
     program->SetUniform3fv("LightDirection", count, directions.data());
     program->SetUniform3fv("LightPosition", count, positions.data());
     program->SetUniform3fv("LightColor", count, colors.data());
@@ -65,7 +62,16 @@ std::string vtkLineSetsLightingUniforms::GetSource(const vtkLineSetsLighting& li
   const auto constant = [&os](const char* type, const char* name, int value)
   { os << "const " << type << " " << name << " = " << type << "(" << value << ");\n"; };
   constant("int", "MaximumLights", MaximumLights);
-  constant("int", "LightCount", std::min(static_cast<int>(lighting.Lights.size()), MaximumLights));
+  const int count = std::min(static_cast<int>(lighting.Lights.size()), MaximumLights);
+  constant("int", "LightCount", count);
+  // Constants, not uniforms: software OpenGL runs all branches that it cannot rule out.
+  const int kinds = std::max(count, 1);
+  os << "const int LightKind[" << kinds << "] = int[" << kinds << "](";
+  for (int i = 0; i < kinds; ++i)
+  {
+    os << (i > 0 ? ", " : "") << (i < count ? lighting.Lights[i].Kind : 0);
+  }
+  os << ");\n";
   constant("bool", "ParallelView", lighting.ParallelView ? 1 : 0);
   constant(
     "bool", "MaximumReflection", lighting.Model == vtkLineIllumination::MaximumReflection ? 1 : 0);

@@ -4,7 +4,6 @@
 // What the light model asks of an engine, for shaders. Constants come before, from
 // vtkLineSetsLightingUniforms.
 
-uniform int LightKind[MaximumLights];
 uniform vec3 LightDirection[MaximumLights];
 uniform vec3 LightPosition[MaximumLights];
 uniform vec3 LightColor[MaximumLights];
