@@ -14,6 +14,7 @@
 #include "vtkLineIllumination.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLVertexBufferObject.h"
 
 #include <functional>
 
@@ -443,6 +444,13 @@ void CheckActors(Checks& check)
     scene.Actor->SetPosition(0.3, -0.2, 0.5);
   };
   CheckColors(check, "scaled and mirrored", place);
+  // Vertices scaled for the graphics device, by other factors along each axis.
+  CheckColors(check, "scaled vertices",
+    [&](Scene& scene)
+    {
+      place(scene);
+      scene.Mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::ALWAYS_AUTO_SHIFT_SCALE);
+    });
   CheckColors(check, "given tangents",
     [](Scene& scene)
     {
