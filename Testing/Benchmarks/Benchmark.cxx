@@ -133,6 +133,10 @@ void Benchmark::MakeInput()
   this->Input.Resolution = this->Options.Resolution;
   this->Input.FaceBins = this->Options.FaceBins;
   this->Input.Peels = this->Options.Peels;
+  this->Input.LineWidth = this->Options.LineWidth;
+  this->Input.Plain = this->Options.Plain;
+  this->Input.Stretch = this->Options.Stretch;
+  this->Input.LightFromRight = this->Options.Light == "right";
   vtkDataArray* scalars = this->Input.Lines->GetPointData()->GetScalars();
   if (scalars && scalars->GetNumberOfComponents() == 1)
   {
@@ -155,7 +159,7 @@ void Benchmark::MakeWindow()
     }
   }
   this->Window->SetOffScreenRendering(true);
-  this->Window->SetMultiSamples(0);
+  this->Window->SetMultiSamples(this->Options.Samples);
   this->Window->SetAlphaBitPlanes(true);
   this->Window->SetSize(this->Options.Width, this->Options.Height);
   this->Input.Camera = vtkSmartPointer<vtkCamera>::New();
@@ -450,6 +454,7 @@ std::string Benchmark::Describe(Entry& entry)
     addNumber("rmse_decoded", entry.DecodedRmse);
     addNumber("ratio_tubes", this->GetPeerMedian("tubes") / median);
     addNumber("ratio_peeling", this->GetPeerMedian("peeling") / median);
+    addNumber("ratio_lines", this->GetPeerMedian("lines") / median);
   }
   if (!this->RendererName.empty())
   {

@@ -8,6 +8,9 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkIlluminatedLineMapper.h"
+#include "vtkLight.h"
+#include "vtkLineIllumination.h"
 #include "vtkLineSetsCompatibilityPrivate.h"
 #include "vtkLookupTable.h"
 #include "vtkPointData.h"
@@ -180,6 +183,48 @@ public:
 private:
   long long Segments = 0;
 };
+
+//------------------------------------------------------------------------------
+/// Lines one pixel wide (or as wide as was asked for), without and with light.
+class LineMethod : public BenchmarkMethod
+{
+public:
+  explicit LineMethod(const std::string& name)
+    : Illuminated(name != "lines")
+  {
+    vtkLineIllumination* illumination = this->Mapper->GetIllumination();
+    if (name == "illuminated-max")
+    {
+      illumination->SetModelToMaximumReflection();
+    }
+    else if (name == "illuminated-blinn")
+    {
+      illumination->SetReflectionToBlinn();
+    }
+    else if (name == "illuminated-direct")
+    {
+      illumination->SetEvaluationToDirect();
+    }
+  }
+
+  void Prepare(BenchmarkInput& input) override
+  {
+    this->Segments = CountLineSegments(input.Lines);
+    this->Mapper->GetIllumination()->SetStretchDynamicRange(input.Stretch);
+    vtkNew<vtkPolyDataMapper> plain;
+    vtkPolyDataMapper* mapper = this->Illuminated ? this->Mapper.Get() : plain.Get();
+    mapper->SetInputData(input.Lines);
+    this->SetMapper(mapper, input);
+    this->Actor->GetProperty()->SetLineWidth(static_cast<float>(input.LineWidth));
+  }
+
+  void Describe(JsonObject& object) override { object.Add("segments", this->Segments); }
+
+private:
+  bool Illuminated;
+  long long Segments = 0;
+  vtkNew<vtkIlluminatedLineMapper> Mapper;
+};
 }
 
 //------------------------------------------------------------------------------
@@ -191,6 +236,7 @@ BenchmarkMethod::~BenchmarkMethod() = default;
 //------------------------------------------------------------------------------
 void BenchmarkMethod::SetMapper(vtkPolyDataMapper* mapper, const BenchmarkInput& input)
 {
+  mapper->SetScalarVisibility(!input.Plain);
   if (input.Table)
   {
     mapper->SetLookupTable(input.Table);
@@ -206,13 +252,23 @@ void BenchmarkMethod::SetMapper(vtkPolyDataMapper* mapper, const BenchmarkInput&
   property->SetOpacity(input.Opacity);
   this->Renderer->AddActor(this->Actor);
   this->Renderer->SetActiveCamera(input.Camera);
-  this->Renderer->SetBackground(1.0, 1.0, 1.0);
+  const double background = input.Plain ? 0.08 : 1.0;
+  this->Renderer->SetBackground(background, background, background);
+  if (input.LightFromRight)
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(1.0, 0.4, 0.7);
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    this->Renderer->AddLight(light);
+  }
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::string> GetMethodNames()
 {
-  return { "voxel", "tubes", "peeling", "oit", "line-tubes" };
+  return { "voxel", "tubes", "peeling", "oit", "line-tubes", "lines", "illuminated",
+    "illuminated-max", "illuminated-blinn", "illuminated-direct" };
 }
 
 //------------------------------------------------------------------------------
@@ -228,6 +284,10 @@ std::unique_ptr<BenchmarkMethod> MakeMethod(const std::string& name, const std::
   else if (name == "line-tubes")
   {
     method = std::make_unique<LineTubeMethod>();
+  }
+  else if (name == "lines" || name.compare(0, 11, "illuminated") == 0)
+  {
+    method = std::make_unique<LineMethod>(name);
   }
   else
   {

@@ -41,6 +41,10 @@ struct BenchmarkInput
   int Resolution = 256;
   int FaceBins = 32;
   int Peels = 0; ///< 0: no limit
+  double LineWidth = 1.0; ///< of lines, in pixels
+  bool Stretch = false;   ///< the dynamic range of illuminated lines
+  bool LightFromRight = false;
+  bool Plain = false; ///< one colour on a dark background
   /// Tubes, made by the first method that needs them, and the time that took.
   vtkSmartPointer<vtkPolyData> Tubes;
   double TubeMilliseconds = 0.0;

@@ -156,6 +156,13 @@ std::map<std::string, Setter> GetSetters()
     { "--resolution", [](O& o, const S& v) { o.Resolution = ToInt("--resolution", v, 1, 4096); } },
     { "--face-bins", [](O& o, const S& v) { o.FaceBins = ToFaceBins(v); } },
     { "--peels", [](O& o, const S& v) { o.Peels = ToInt("--peels", v, 0, VTK_INT_MAX); } },
+    { "--line-width",
+      [](O& o, const S& v) { o.LineWidth = ToNumber("--line-width", v, 0.1, 1000.0); } },
+    { "--samples", [](O& o, const S& v) { o.Samples = ToInt("--samples", v, 0, 64); } },
+    { "--light",
+      [](O& o, const S& v) {
+        o.Light = ToNames("--light", v, { "headlight", "right" }).front();
+      } },
     { "--json", [](O& o, const S& v) { o.JsonFile = v; } },
     { "--image", [](O& o, const S& v) { o.ImagePrefix = v; } },
     { "--data", [](O& o, const S& v) { o.DataFolder = v; } },
@@ -166,6 +173,7 @@ std::map<std::string, bool BenchmarkOptions::*> GetFlags()
 {
   return { { "--reference", &BenchmarkOptions::Reference },
     { "--reference-decoded", &BenchmarkOptions::DecodedReference },
+    { "--stretch", &BenchmarkOptions::Stretch }, { "--plain", &BenchmarkOptions::Plain },
     { "--help", &BenchmarkOptions::Help } };
 }
 
@@ -260,6 +268,11 @@ SCENE or --scene SCENE   )"
   oit                    the same by VTK's order-independent translucency
   line-tubes             lines as they are, with RenderLinesAsTubes of vtkProperty; the width is
                          that of the tubes at the focal point
+  lines                  lines as VTK draws them, without light
+  illuminated            vtkIlluminatedLineMapper, cylinder averaging
+  illuminated-max        the same with maximum reflection
+  illuminated-blinn      the same with Blinn's highlights
+  illuminated-direct     the same without a table
 --engine LIST            of automatic native shader, for voxel (default automatic); each gives an
                          object of its own
 --resolution N           voxels along the longest side of the bounds, for voxel (default 256)
@@ -268,6 +281,11 @@ SCENE or --scene SCENE   )"
                          takes half as many passes over all tubes as there are layers, and hence
                          minutes to hours for a frame of the large scenes on a processor; with
                          a limit ratio_peeling is a lower bound)
+--line-width W           of lines and illuminated lines, in pixels (default 1)
+--samples N              samples per pixel (default 0: no multisampling; for the plain pass only)
+--stretch                stretch the dynamic range of illuminated lines
+--plain                  draw lines in one colour on a dark background, in place of scalars on white
+--light LIGHT            headlight (default) or right: one light from the right of the camera
 --radius R               of the tubes in units of the data (default: 1/512 of the longest side
                          of the bounds, that is, half a voxel of 256)
 --opacity A              0 to 1 (default 1)
@@ -285,11 +303,11 @@ SCENE or --scene SCENE   )"
 
 Keys: scene lines vertices method engine width height opacity radius frames median_ms min_ms max_ms
 build_ms first_frame_ms model_bytes gpu_bytes segments peels rmse ssim rmse_decoded ratio_tubes
-ratio_peeling renderer vtk threads error. Keys that do not apply are left out. Times are wall clock
+ratio_peeling ratio_lines renderer vtk threads error. Keys that do not apply are left out. Times are wall clock
 times of a frame until OpenGL has finished; build_ms is the time to make the model or the tubes,
 first_frame_ms that of the first frame after it, with uploads and shaders. gpu_bytes of tubes is
-computed from the arrays that VTK uploads. rmse is in [0,1]. A ratio is the median time of tubes or
-peeling over that of the method. The exit status is 0 if all went well, 1 if a method failed, which
+computed from the arrays that VTK uploads. rmse is in [0,1]. A ratio is the median time of tubes,
+peeling or lines over that of the method. The exit status is 0 if all went well, 1 if a method failed, which
 its object tells as "error", and 2 for a wrong command line.
 )";
 }

@@ -30,6 +30,11 @@ struct BenchmarkOptions
   int Resolution = 256;
   int FaceBins = 32;
   int Peels = 0; ///< 0: no limit
+  double LineWidth = 1.0; ///< pixels
+  int Samples = 0;        ///< per pixel
+  bool Stretch = false;
+  bool Plain = false; ///< one colour on a dark background
+  std::string Light = "headlight";
   bool Reference = false;
   bool DecodedReference = false;
   std::string JsonFile;

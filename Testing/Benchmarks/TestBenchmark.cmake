@@ -86,6 +86,31 @@ if (NOT CMAKE_MATCH_1 OR CMAKE_MATCH_1 GREATER 0.0078)
   fail("rmse_decoded: ${CMAKE_MATCH_1}, more than 2/255")
 endif ()
 
+# Lines, plain and lit: each has a ratio to plain ones, and light makes a difference.
+run(0 "" ${small} --methods lines,illuminated,illuminated-max,illuminated-blinn,illuminated-direct
+  --light right --line-width 2 --samples 4 --stretch --reference)
+string(STRIP "${output}" output)
+string(REPLACE "\n" ";" objects "${output}")
+list(LENGTH objects count)
+if (NOT count EQUAL 5)
+  fail("${count} objects of lines instead of 5")
+endif ()
+set(differences "")
+foreach (object IN LISTS objects)
+  if (NOT object MATCHES "\"ratio_lines\": [0-9.]+")
+    fail("no ratio to lines: ${object}")
+  endif ()
+  string(REGEX MATCH "\"rmse\": ([0-9.]*)" match "${object}")
+  list(APPEND differences "${CMAKE_MATCH_1}")
+endforeach ()
+list(GET differences 0 plain)
+list(GET differences 1 averaged)
+list(GET differences 2 brightest)
+if (plain STREQUAL averaged OR averaged STREQUAL brightest)
+  fail("light without effect: ${differences}")
+endif ()
+run(2 "--light: left is none of" tornado --light left)
+
 # A method that fails says so, and the others go on.
 run(1 "\"method\": \"peeling\"[^\n]*\"error\": \"preparing: needs an opacity below 1\""
   ${small} --methods peeling,line-tubes)
