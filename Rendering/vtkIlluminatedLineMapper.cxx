@@ -428,7 +428,16 @@ void vtkIlluminatedLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetSpecularPowerArrayName(other->SpecularPowerArrayName);
     this->SetIllumination(other->GetIllumination());
   }
-  this->Superclass::ShallowCopy(mapper);
+  if (auto* other = vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    this->SetPointIdArrayName(other->GetPointIdArrayName());
+    this->SetCellIdArrayName(other->GetCellIdArrayName());
+    this->SetProcessIdArrayName(other->GetProcessIdArrayName());
+    this->SetCompositeIdArrayName(other->GetCompositeIdArrayName());
+  }
+  // Not by the direct superclass: it does no more than this, but until VTK 9.1 it also copies
+  // shader code by deprecated ways, which warn and take the place of the actor's shader property.
+  this->vtkPolyDataMapper::ShallowCopy(mapper);
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -51,6 +52,37 @@ vtkSmartPointer<vtkPoints> CopyPoints(vtkPoints* points, const std::vector<vtkId
   auto result = vtkSmartPointer<vtkPoints>::New();
   result->SetData(vtkDataArray::FastDownCast(data));
   return result;
+}
+
+bool IsInfinite(const double point[3])
+{
+  return std::isinf(point[0]) || std::isinf(point[1]) || std::isinf(point[2]);
+}
+
+bool HasInfinitePoints(vtkPoints* points)
+{
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    if (IsInfinite(points->GetPoint(i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Put NaN in the place of infinite points. Either of both costs the lines' ends there, but ranges
+// of the whole, by which VTK scales what it draws, leave out NaN only.
+void ReplaceInfinitePoints(vtkPoints* points)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    if (IsInfinite(points->GetPoint(i)))
+    {
+      points->SetPoint(i, nan, nan, nan);
+    }
+  }
 }
 
 // The point of the input that a point of the output is.
@@ -136,9 +168,14 @@ bool vtkIlluminatedLineVertices::Update(
   // Arrays are those of the input, also where points were copied.
   vtkDataArray* tangents = this->FindArray(tangentArrayName, 3, "tangents are computed");
   vtkDataArray* powers = this->FindArray(powerArrayName, 1, "all lines have the same exponent");
-  if (!lines.Copies.empty())
+  const bool hasInfinite = lines.PointsNotFinite > 0 && HasInfinitePoints(input->GetPoints());
+  if (!lines.Copies.empty() || hasInfinite)
   {
     this->CopyData(lines);
+  }
+  if (hasInfinite)
+  {
+    ReplaceInfinitePoints(this->Data->GetPoints());
   }
   if (tangents)
   {
@@ -188,7 +225,10 @@ void vtkIlluminatedLineVertices::CopyData(const vtkLineTangents& lines)
   this->Data = vtkSmartPointer<vtkPolyData>::New();
   this->Data->ShallowCopy(input);
   this->Data->SetPoints(CopyPoints(input->GetPoints(), lines.Copies));
-  this->Data->SetLines(lines.Lines);
+  if (lines.Lines)
+  {
+    this->Data->SetLines(lines.Lines);
+  }
 
   vtkPointData* from = input->GetPointData();
   vtkPointData* to = this->Data->GetPointData();

@@ -5,8 +5,8 @@
  * @brief   what vtkIlluminatedLineMapper knows of the points of its input
  *
  * Holds tangents and exponents, one per point that is drawn, and the data set that is drawn: the
- * input itself, or a copy in which points that lines share are repeated. All is made anew where the
- * input or the names of its arrays changed, and only then.
+ * input itself, or a copy in which points that lines share are repeated, and infinite points are
+ * NaN. All is made anew where the input or the names of its arrays changed, and only then.
  */
 
 #ifndef vtkIlluminatedLineVertices_h

@@ -101,7 +101,9 @@ public:
         }
       }
     }
-    counts.LinesWithoutExtent += ids->GetNumberOfIds() > 1 && !hasExtent ? 1 : 0;
+    const bool isFinite = std::all_of(
+      this->Places.begin(), this->Places.end(), [](const Place& place) { return place.IsFinite; });
+    counts.LinesWithoutExtent += ids->GetNumberOfIds() > 1 && isFinite && !hasExtent ? 1 : 0;
   }
 
 private:

@@ -40,7 +40,7 @@ struct VTKRENDERINGLINESETS_EXPORT vtkLineTangents
   std::vector<vtkIdType> Copies;
   /// The lines with the ids of copies; null without copies.
   vtkSmartPointer<vtkCellArray> Lines;
-  /// Lines of two points or more that have no extent.
+  /// Lines of two points or more, all finite, that have no extent.
   vtkIdType LinesWithoutExtent = 0;
   /// Points of lines with a coordinate that is NaN or infinite, as often as lines use them.
   vtkIdType PointsNotFinite = 0;

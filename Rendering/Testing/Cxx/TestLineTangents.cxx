@@ -96,7 +96,7 @@ void CheckSingleLines(Checks& check)
   CheckLine(check, "a single point", { b }, { null });
   CheckLine(check, "NaN at the end", { a, b, nan }, { ab, ab, null }, 0, 1);
   CheckLine(check, "NaN inside", { a, b, nan, c, d }, { ab, ab, null, cd, cd }, 0, 1);
-  CheckLine(check, "alone beside NaN", { a, nan, c }, { null, null, null }, 1, 1);
+  CheckLine(check, "alone beside NaN", { a, nan, c }, { null, null, null }, 0, 1);
   CheckLine(check, "infinite", { a, b, far, far }, { ab, ab, null, null }, 0, 2);
   CheckLine(check, "NaN in a closed line", { a, b, nan, d, a },
     { db, ab, null, { 0.0, -2.0, -3.0 }, db }, 0, 1);
