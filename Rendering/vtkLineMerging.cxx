@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLineMerging.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPThreadLocalObject.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr vtkIdType LinesPerBlock = 256;
+
+// Part of the length by which a piece may deviate from its line.
+constexpr double LargestDeviation = 0.125;
+
+/// Grows pieces along one line after the other.
+class Merger
+{
+public:
+  Merger(vtkPoints* points, double length)
+    : Points(points)
+    , Length(length)
+  {
+  }
+
+  void AddLine(vtkIdType size, const vtkIdType* ids, std::vector<unsigned int>& indices)
+  {
+    if (size < 2)
+    {
+      return;
+    }
+    this->Begin(ids[0]);
+    for (vtkIdType i = 1; i < size; ++i)
+    {
+      double point[3];
+      this->Points->GetPoint(ids[i], point);
+      const double step = std::sqrt(vtkMath::Distance2BetweenPoints(this->End, point));
+      if (this->IsGrowing && !this->Fits(point, step))
+      {
+        this->Finish(indices);
+      }
+      this->Last = ids[i];
+      std::copy(point, point + 3, this->End);
+      this->Arc += step;
+      this->IsGrowing = true;
+    }
+    this->Finish(indices);
+  }
+
+private:
+  void Begin(vtkIdType id)
+  {
+    this->First = this->Last = id;
+    this->Points->GetPoint(id, this->Start);
+    std::copy(this->Start, this->Start + 3, this->End);
+    this->Arc = 0.0;
+    this->IsGrowing = false;
+  }
+
+  bool Fits(const double point[3], double step) const
+  {
+    // A comparison with NaN is false: nothing is merged across points that are not finite.
+    const double arc = this->Arc + step;
+    const double chord2 = vtkMath::Distance2BetweenPoints(this->Start, point);
+    const double deviation = LargestDeviation * this->Length;
+    return arc <= this->Length && arc * arc - chord2 <= 4.0 * deviation * deviation;
+  }
+
+  void Finish(std::vector<unsigned int>& indices)
+  {
+    indices.push_back(static_cast<unsigned int>(this->First));
+    indices.push_back(static_cast<unsigned int>(this->Last));
+    this->Begin(this->Last);
+  }
+
+  vtkPoints* Points;
+  double Length;
+  vtkIdType First = 0;
+  vtkIdType Last = 0;
+  double Start[3];
+  double End[3];
+  double Arc = 0.0;
+  bool IsGrowing = false;
+};
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned int> vtkLineMerging::GetIndices(vtkPolyData* data, double length)
+{
+  vtkCellArray* lines = data->GetLines();
+  const vtkIdType numberOfLines = lines->GetNumberOfCells();
+  const vtkIdType blocks = (numberOfLines + LinesPerBlock - 1) / LinesPerBlock;
+  std::vector<std::vector<unsigned int>> parts(static_cast<std::size_t>(blocks));
+  vtkSMPThreadLocalObject<vtkIdList> idLists;
+  vtkSMPTools::For(0, blocks, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdList* ids = idLists.Local();
+      Merger merger(data->GetPoints(), length);
+      for (vtkIdType block = begin; block < end; ++block)
+      {
+        std::vector<unsigned int>& part = parts[static_cast<std::size_t>(block)];
+        const vtkIdType last = std::min(numberOfLines, (block + 1) * LinesPerBlock);
+        for (vtkIdType line = block * LinesPerBlock; line < last; ++line)
+        {
+          lines->GetCellAtId(line, ids);
+          merger.AddLine(ids->GetNumberOfIds(), ids->GetPointer(0), part);
+        }
+      }
+    });
+
+  std::size_t size = 0;
+  for (const auto& part : parts)
+  {
+    size += part.size();
+  }
+  std::vector<unsigned int> indices;
+  indices.reserve(size);
+  for (const auto& part : parts)
+  {
+    indices.insert(indices.end(), part.begin(), part.end());
+  }
+  return indices;
+}
+
+//------------------------------------------------------------------------------
+double vtkLineMerging::GetLength(double pixels, const double bounds[6], vtkMatrix4x4* viewFromData,
+  vtkMatrix4x4* clipFromView, const int viewportSize[2])
+{
+  // Pixels per unit of view coordinates grow as the homogeneous coordinate w falls.
+  double smallestW = VTK_DOUBLE_MAX;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double point[4] = { bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
+      bounds[4 + ((corner >> 2) & 1)], 1.0 };
+    viewFromData->MultiplyPoint(point, point);
+    clipFromView->MultiplyPoint(point, point);
+    smallestW = std::min(smallestW, point[3]);
+  }
+  double linear[3][3];
+  for (int i = 0; i < 9; ++i)
+  {
+    linear[i / 3][i % 3] = viewFromData->GetElement(i / 3, i % 3);
+  }
+  double u[3][3];
+  double stretch[3];
+  double v[3][3];
+  vtkMath::SingularValueDecomposition3x3(linear, u, stretch, v);
+  double largestStretch = 0.0;
+  for (double s : stretch)
+  {
+    largestStretch = std::max(largestStretch, std::abs(s));
+  }
+  const double pixelsPerUnit = largestStretch * 0.5 *
+    std::max(std::abs(clipFromView->GetElement(0, 0)) * viewportSize[0],
+      std::abs(clipFromView->GetElement(1, 1)) * viewportSize[1]);
+  const double length = pixels * smallestW / pixelsPerUnit;
+  return std::isfinite(length) ? std::max(0.0, length) : 0.0;
+}
