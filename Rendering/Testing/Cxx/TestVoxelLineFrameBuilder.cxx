@@ -134,6 +134,41 @@ void Measure(const Builder::View& view, const Builder::Grid& grid, const vtkVoxe
   }
 }
 
+// Half a pixel at all distances of the grid, and what follows from it for the widths of tubes.
+void CheckWidths(
+  Checks& check, const std::string& name, vtkVoxelLineFrame frame, const Builder::Grid& grid)
+{
+  const double ends[2] = { std::max(frame.NearestS, frame.BoxS.x),
+    std::min(frame.FarthestS, frame.BoxS.y) };
+  double largest = 0.0;
+  for (int i = 0; i <= 10; ++i)
+  {
+    const auto s = static_cast<float>(ends[0] + 0.1 * i * (ends[1] - ends[0]));
+    double half = 0.0;
+    for (int k = 1; k < 3; ++k)
+    {
+      half = std::max(half, 0.5 * glm::length(frame.Origin[k] + s * frame.Direction[k]));
+    }
+    const double found = frame.HalfPixel.x + s * frame.HalfPixel.y;
+    check(std::abs(found / half - 1.0) < 1e-5, name + ": half a pixel");
+    largest = std::max(largest, half);
+  }
+  frame.Radius = 1.0f;
+  const auto isAs = [&](double smallest, bool widen, bool narrow, bool thin)
+  {
+    Builder::SetWidths(frame, grid, smallest, widen);
+    const bool limits = frame.ThinTubes
+      ? frame.LargestRadius >= std::max(largest, 1.0) && frame.LargestRadius < 1.1 * largest + 1.0
+      : frame.LargestRadius == frame.Radius;
+    return frame.NarrowTubes == narrow && frame.ThinTubes == thin && limits;
+  };
+  check(isAs(2.01 * largest, true, false, false), name + ": wide tubes");
+  check(isAs(1.99 * largest, true, true, false), name + ": tubes below two pixels");
+  check(isAs(1.01 * largest, true, true, false), name + ": tubes above a pixel");
+  check(isAs(0.99 * largest, true, true, true), name + ": tubes below a pixel");
+  check(isAs(0.5 * largest, false, false, false), name + ": tubes that are not widened");
+}
+
 void CheckCase(Checks& check, const std::string& name, const std::function<void(Case&)>& change)
 {
   Case test;
@@ -149,6 +184,7 @@ void CheckCase(Checks& check, const std::string& name, const std::function<void(
     vtkVoxelLineFrame frame;
     const std::string error = Builder::SetView(frame, *view, test.Grid);
     check(error.empty(), name + ": " + error);
+    CheckWidths(check, name, frame, test.Grid);
     check(frame.Width == view->PictureSize[0] && frame.Height == view->PictureSize[1],
       name + ": size of the frame");
     double offset;
@@ -364,6 +400,10 @@ void CheckSamePicture(Checks& check)
     [](vtkVoxelLineFrame& f) { f.ClippingPlanes[0].w = 3.0f; },
     [](vtkVoxelLineFrame& f) { f.ClippingPlanes.clear(); },
     [](vtkVoxelLineFrame& f) { f.Radius = 3.0f; },
+    [](vtkVoxelLineFrame& f) { f.LargestRadius = 3.0f; },
+    [](vtkVoxelLineFrame& f) { f.NarrowTubes = true; },
+    [](vtkVoxelLineFrame& f) { f.ThinTubes = true; },
+    [](vtkVoxelLineFrame& f) { f.LitAsLines = true; },
     [](vtkVoxelLineFrame& f) { f.Coloring = vtkVoxelLineFrame::Direct; },
     [](vtkVoxelLineFrame& f) { f.ColorTable[255].w = 0.5f; },
     [](vtkVoxelLineFrame& f) { f.HasNaN = true; },

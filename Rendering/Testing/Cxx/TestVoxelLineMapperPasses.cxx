@@ -5,50 +5,12 @@
 // in all of them; with other actors, what is in front must hide what is behind, in both directions;
 // and rays are cast once per frame, however often a pass draws.
 
-#include "VoxelLineMapperTesting.h"
-#include "vtkCameraPass.h"
-#include "vtkClearRGBPass.h"
-#include "vtkLightsPass.h"
-#include "vtkOpaquePass.h"
-#include "vtkOpenGLRenderer.h"
-#include "vtkRenderPassCollection.h"
-#include "vtkSequencePass.h"
-#include "vtkTranslucentPass.h"
+#include "RenderPassTesting.h"
 
 using namespace VoxelLineMapperTesting;
 
 namespace
 {
-enum Pass
-{
-  Independent, // order-independent translucency, VTK's own choice
-  Peeling,     // dual depth peeling
-  Plain        // drawn and blended one after the other
-};
-const char* const PassNames[] = { "order-independent", "peeling", "plain" };
-
-void SetPass(Stage& stage, Pass pass)
-{
-  if (pass == Peeling)
-  {
-    stage.Renderer->UseDepthPeelingOn();
-    stage.Renderer->SetMaximumNumberOfPeels(20);
-    stage.Renderer->SetOcclusionRatio(0.0);
-  }
-  else if (pass == Plain)
-  {
-    vtkNew<vtkRenderPassCollection> passes;
-    passes->AddItem(vtkNew<vtkLightsPass>());
-    passes->AddItem(vtkNew<vtkOpaquePass>());
-    passes->AddItem(vtkNew<vtkTranslucentPass>());
-    vtkNew<vtkSequencePass> sequence;
-    sequence->SetPasses(passes);
-    vtkNew<vtkCameraPass> camera;
-    camera->SetDelegatePass(sequence);
-    vtkOpenGLRenderer::SafeDownCast(stage.Renderer)->SetPass(camera);
-  }
-}
-
 // Two straight lines along y, one in front of the other as seen along z, wide enough to probe.
 vtkSmartPointer<vtkPolyData> MakeBars(double zFront, double zBack)
 {
@@ -64,16 +26,6 @@ vtkSmartPointer<vtkVoxelLineMapper> MakeMapper(vtkPolyData* lines, double radius
   mapper->SetResolution(64);
   mapper->SetFaceBins(0);
   return mapper;
-}
-
-std::array<int, 3> Mix(const std::array<int, 3>& a, const std::array<int, 3>& b, double weightOfA)
-{
-  std::array<int, 3> mixed;
-  for (int i = 0; i < 3; ++i)
-  {
-    mixed[i] = static_cast<int>(std::lround(weightOfA * a[i] + (1.0 - weightOfA) * b[i]));
-  }
-  return mixed;
 }
 
 // A helix set at several opacities: the passes must agree among themselves.
