@@ -137,7 +137,7 @@ void vtkIlluminatedLineMapper::UpdateVertices()
   vtkInternals& internals = *this->Internals;
   vtkPolyData* input = this->GetInput();
   const bool isDrawingOldData =
-    internals.Vertices.HasCopies() && this->CurrentInput == internals.Vertices.GetData();
+    internals.Vertices.IsCopied() && this->CurrentInput == internals.Vertices.GetData();
   if (!internals.Vertices.Update(input, this->TangentArrayName, this->SpecularPowerArrayName))
   {
     return;
@@ -206,13 +206,12 @@ void vtkIlluminatedLineMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActo
 }
 
 //------------------------------------------------------------------------------
-bool vtkIlluminatedLineMapper::IsLit(
-  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+bool vtkIlluminatedLineMapper::AreLinesLit(
+  vtkOpenGLHelper& lines, vtkRenderer* renderer, vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
-  return &cellBO == &this->Primitives[PrimitiveLines] &&
-    property->GetRepresentation() != VTK_POINTS && property->GetLighting() &&
-    !renderer->GetSelector() && !this->DrawingTubes(cellBO, actor) &&
+  return property->GetRepresentation() != VTK_POINTS && property->GetLighting() &&
+    !renderer->GetSelector() && !this->DrawingTubes(lines, actor) &&
     this->Internals->Vertices.GetTangents();
 }
 
@@ -234,7 +233,7 @@ bool vtkIlluminatedLineMapper::GetNeedToRebuildShaders(
     complexity = internals.VTKComplexity;
   }
   bool isNeeded = this->Superclass::GetNeedToRebuildShaders(cellBO, renderer, actor);
-  internals.IsLit = this->IsLit(cellBO, renderer, actor);
+  internals.IsLit = this->AreLinesLit(cellBO, renderer, actor);
   std::string source;
   if (internals.IsLit)
   {
@@ -387,7 +386,7 @@ void vtkIlluminatedLineMapper::SetCameraShaderParameters(
 void vtkIlluminatedLineMapper::ProcessSelectorPixelBuffers(
   vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop)
 {
-  if (this->PointIdArrayName || !this->Internals->Vertices.HasCopies())
+  if (this->PointIdArrayName || !this->Internals->Vertices.IsCopied())
   {
     this->Superclass::ProcessSelectorPixelBuffers(selector, pixelOffsets, prop);
     return;

@@ -132,7 +132,7 @@ private:
   void operator=(const vtkIlluminatedLineMapper&) = delete;
 
   void UpdateVertices();
-  bool IsLit(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor);
+  bool AreLinesLit(vtkOpenGLHelper& lines, vtkRenderer* renderer, vtkActor* actor);
   void WarnOnce(std::string& last, const std::string& warning);
 
   class vtkInternals;

@@ -28,7 +28,9 @@ vtkSmartPointer<vtkAbstractArray> CopyArray(
   {
     return array;
   }
-  auto result = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+  // Of the type's usual class: one that computes its values would not take others.
+  auto result =
+    vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(array->GetDataType()));
   result->DeepCopy(array);
   result->SetName(array->GetName());
   result->Resize(numberOfPoints + static_cast<vtkIdType>(copies.size()));
@@ -128,7 +130,7 @@ const char* vtkIlluminatedLineVertices::GetPointIdName()
 bool vtkIlluminatedLineVertices::Update(
   vtkPolyData* input, const std::string& tangentArrayName, const std::string& powerArrayName)
 {
-  if (this->Data && this->Input == input && this->InputTime == input->GetMTime() &&
+  if (input && this->Input == input && this->InputTime == input->GetMTime() &&
     this->TangentArrayName == tangentArrayName && this->PowerArrayName == powerArrayName)
   {
     return false;
@@ -137,7 +139,7 @@ bool vtkIlluminatedLineVertices::Update(
   this->InputTime = input->GetMTime();
   this->TangentArrayName = tangentArrayName;
   this->PowerArrayName = powerArrayName;
-  this->Data = input;
+  this->Copy = nullptr;
   this->Tangents = nullptr;
   this->Powers = nullptr;
   this->Warnings.clear();
@@ -175,7 +177,7 @@ bool vtkIlluminatedLineVertices::Update(
   }
   if (hasInfinite)
   {
-    ReplaceInfinitePoints(this->Data->GetPoints());
+    ReplaceInfinitePoints(this->Copy->GetPoints());
   }
   if (tangents)
   {
@@ -222,16 +224,16 @@ void vtkIlluminatedLineVertices::CopyData(const vtkLineTangents& lines)
 {
   vtkPolyData* input = this->Input;
   const vtkIdType number = input->GetNumberOfPoints();
-  this->Data = vtkSmartPointer<vtkPolyData>::New();
-  this->Data->ShallowCopy(input);
-  this->Data->SetPoints(CopyPoints(input->GetPoints(), lines.Copies));
+  this->Copy = vtkSmartPointer<vtkPolyData>::New();
+  this->Copy->ShallowCopy(input);
+  this->Copy->SetPoints(CopyPoints(input->GetPoints(), lines.Copies));
   if (lines.Lines)
   {
-    this->Data->SetLines(lines.Lines);
+    this->Copy->SetLines(lines.Lines);
   }
 
   vtkPointData* from = input->GetPointData();
-  vtkPointData* to = this->Data->GetPointData();
+  vtkPointData* to = this->Copy->GetPointData();
   to->Initialize();
   for (int i = 0; i < from->GetNumberOfArrays(); ++i)
   {
@@ -257,7 +259,7 @@ void vtkIlluminatedLineVertices::CopyData(const vtkLineTangents& lines)
 void vtkIlluminatedLineVertices::UseTangents(vtkDataArray* array, const vtkLineTangents& lines)
 {
   const vtkIdType number = this->Input->GetNumberOfPoints();
-  const std::vector<bool> used = FindUsedPoints(this->Data);
+  const std::vector<bool> used = FindUsedPoints(this->GetData());
   vtkSMPThreadLocal<vtkIdType> replaced(0);
   vtkSMPTools::For(0, this->Tangents->GetNumberOfTuples(),
     [&](vtkIdType begin, vtkIdType end)
@@ -313,7 +315,7 @@ void vtkIlluminatedLineVertices::UseTangents(vtkDataArray* array, const vtkLineT
 void vtkIlluminatedLineVertices::UsePowers(vtkDataArray* array, const vtkLineTangents& lines)
 {
   const vtkIdType number = this->Input->GetNumberOfPoints();
-  const std::vector<bool> used = FindUsedPoints(this->Data);
+  const std::vector<bool> used = FindUsedPoints(this->GetData());
   this->Powers = vtkSmartPointer<vtkFloatArray>::New();
   this->Powers->SetNumberOfValues(this->Tangents->GetNumberOfTuples());
   vtkIdType invalid = 0;

@@ -41,9 +41,9 @@ public:
     vtkPolyData* input, const std::string& tangentArrayName, const std::string& powerArrayName);
 
   /// What is to be drawn in place of the input: the input itself or a copy.
-  vtkPolyData* GetData() const { return this->Data; }
+  vtkPolyData* GetData() const { return this->Copy ? this->Copy.Get() : this->Input.Get(); }
   /// Whether GetData() is a copy of the input.
-  bool HasCopies() const { return this->Data && this->Data != this->Input; }
+  bool IsCopied() const { return this->Copy != nullptr; }
 
   /// Unit or null vectors in data coordinates; nullptr where there are no lines.
   vtkFloatArray* GetTangents() const { return this->Tangents; }
@@ -62,13 +62,13 @@ private:
   void UseTangents(vtkDataArray* array, const vtkLineTangents& lines);
   void UsePowers(vtkDataArray* array, const vtkLineTangents& lines);
 
-  // Compared, never followed.
+  // Not held: the pipeline decides how long it lives.
   vtkWeakPointer<vtkPolyData> Input;
   vtkMTimeType InputTime = 0;
   std::string TangentArrayName;
   std::string PowerArrayName;
 
-  vtkSmartPointer<vtkPolyData> Data;
+  vtkSmartPointer<vtkPolyData> Copy;
   vtkSmartPointer<vtkFloatArray> Tangents;
   vtkSmartPointer<vtkFloatArray> Powers;
   std::vector<std::string> Warnings;

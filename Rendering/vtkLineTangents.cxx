@@ -166,6 +166,20 @@ bool IsRepeated(vtkIdList* ids, vtkIdType i)
     (id == ids->GetId(i - 1) || (i == ids->GetNumberOfIds() - 1 && id == ids->GetId(0)));
 }
 
+// A part of the lines; memory is taken for all.
+vtkSmartPointer<vtkCellArray> CopyFirstLines(vtkCellArray* lines, vtkIdType count)
+{
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  result->AllocateExact(lines->GetNumberOfCells(), lines->GetNumberOfConnectivityIds());
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType line = 0; line < count; ++line)
+  {
+    lines->GetCellAtId(line, ids);
+    result->InsertNextCell(ids);
+  }
+  return result;
+}
+
 // Give all uses of a point but the first one a copy of it.
 void SeparateUses(vtkCellArray* lines, vtkIdType numberOfPoints, vtkLineTangents& result)
 {
@@ -176,7 +190,6 @@ void SeparateUses(vtkCellArray* lines, vtkIdType numberOfPoints, vtkLineTangents
   {
     lines->GetCellAtId(line, ids);
     const vtkIdType size = ids->GetNumberOfIds();
-    const std::size_t copies = result.Copies.size();
     newIds->SetNumberOfIds(size);
     for (vtkIdType i = 0; i < size; ++i)
     {
@@ -201,15 +214,14 @@ void SeparateUses(vtkCellArray* lines, vtkIdType numberOfPoints, vtkLineTangents
       }
       newIds->SetId(i, newId);
     }
-    if (result.Copies.size() > copies && !result.Lines)
+    if (!result.Copies.empty() && !result.Lines)
     {
       // The first copy of all: the lines before this one are as they were.
-      result.Lines = vtkSmartPointer<vtkCellArray>::New();
-      result.Lines->DeepCopy(lines);
+      result.Lines = CopyFirstLines(lines, line);
     }
-    if (result.Copies.size() > copies)
+    if (result.Lines)
     {
-      result.Lines->ReplaceCellAtId(line, newIds);
+      result.Lines->InsertNextCell(newIds);
     }
   }
 }

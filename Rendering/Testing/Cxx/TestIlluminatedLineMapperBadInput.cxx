@@ -7,10 +7,12 @@
 #include "VoxelLineMapperTesting.h"
 #include "vtkFloatArray.h"
 #include "vtkIlluminatedLineMapper.h"
+#include "vtkIlluminatedLineVertices.h"
 #include "vtkLight.h"
 #include "vtkLineIllumination.h"
 #include "vtkMath.h"
 #include "vtkStringArray.h"
+#include "vtkWeakPointer.h"
 
 #include <limits>
 
@@ -243,6 +245,13 @@ void CheckLights(Checks& check, Messages* messages)
   check(messages->IsQuiet(), "nothing else is said about lights");
 }
 
+Point GetPoint(vtkPolyData* data, vtkIdType id)
+{
+  Point point;
+  data->GetPoint(id, point.data());
+  return point;
+}
+
 // Arrays of the wrong length beside points that are copied; an array's own lookup table.
 void CheckCopies(Checks& check, Messages* messages)
 {
@@ -263,9 +272,37 @@ void CheckCopies(Checks& check, Messages* messages)
   check(lines->GetNumberOfPoints() == 5 && lines->GetPointData()->GetNumberOfArrays() == 2,
     "the input stays as it is");
 
+  // What the mapper draws: points 1, 3 and 1 once more, whatever the lengths of other arrays.
+  lines->GetPointData()->SetScalars(MakeArray("s", 1, { 1.0, 2.0, 3.0, 4.0, 5.0 }));
+  lines->GetPointData()->GetScalars()->CreateDefaultLookupTable();
+  vtkIlluminatedLineVertices vertices;
+  check(vertices.Update(lines, "", ""), "made");
+  check(!vertices.Update(lines, "", ""), "not made again");
+  vtkPolyData* data = vertices.GetData();
+  vtkPointData* from = lines->GetPointData();
+  vtkPointData* to = data->GetPointData();
+  check(data->GetNumberOfPoints() == 8 && to->GetArray(0) == from->GetArray(0) &&
+      to->GetArray(1) == from->GetArray(1),
+    "arrays of another length are no part of copies");
+  vtkDataArray* scalars = to->GetScalars();
+  bool areCopied = scalars && scalars->GetNumberOfTuples() == 8 &&
+    scalars->GetLookupTable() == from->GetScalars()->GetLookupTable();
+  const int ids[] = { 0, 1, 2, 3, 4, 1, 3, 1 };
+  for (int i = 0; areCopied && i < 8; ++i)
+  {
+    areCopied = scalars->GetComponent(i, 0) == 1.0 + ids[i] &&
+      vtkMath::Distance2BetweenPoints(GetPoint(data, i).data(), GetPoint(lines, ids[i]).data()) ==
+        0.0;
+  }
+  check(areCopied, "copies have the values of their points");
+  lines->GetPointData()->RemoveArray("s");
+
   // The input goes and another comes, with and without shared points.
   scene.Mapper->SetInputData(MakeLines({ Good }));
   CheckMiddle(check, "another input", scene.Render(), GetLit(AlongX));
+  vtkWeakPointer<vtkPolyData> last = scene.Mapper->GetInput();
+  scene.Mapper->RemoveAllInputs();
+  check(!last, "an input that goes is let go");
   scene.Mapper->SetInputData(lines);
   CheckGrey(check, "the first input again", scene.Render(), 60, 100, GetLit(AlongX));
   lines->GetPoints()->SetPoint(0, 0.0, -0.8, 0.0);

@@ -18,6 +18,8 @@
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPlane.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkSequencePass.h"
@@ -270,6 +272,43 @@ void CheckClipping(Checks& check)
   CheckPixel(check, "clipped", picture, Upright, Background);
 }
 
+// Lines in the plane of a polygon are drawn before it where VTK is told so.
+void CheckCoincident(Checks& check)
+{
+  auto square = MakeLines({});
+  for (const Point& corner :
+    Curve{ { -1.0, -1.0, 0.0 }, { 1.0, -1.0, 0.0 }, { 1.0, 1.0, 0.0 }, { -1.0, 1.0, 0.0 } })
+  {
+    square->GetPoints()->InsertNextPoint(corner.data());
+  }
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 2, 3 });
+  square->SetPolys(polys);
+  vtkNew<vtkPolyDataMapper> plane;
+  plane->SetInputData(square);
+  for (bool isResolved : { false, true })
+  {
+    // Behind the square by less than a ten-thousandth of the depth.
+    Scene scene(MakeCross(-0.001));
+    scene.Add(plane)->GetProperty()->LightingOff();
+    if (isResolved)
+    {
+      vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+      scene.Mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -20.0);
+    }
+    const Picture picture = scene.Render();
+    vtkMapper::SetResolveCoincidentTopologyToDefault();
+    if (isResolved)
+    {
+      CheckCross(check, "coincident", picture);
+    }
+    else
+    {
+      CheckPixel(check, "behind", picture, Flat, White);
+    }
+  }
+}
+
 // A table of four colours over 0 to 4; values in the middle of a colour's range.
 vtkSmartPointer<vtkLookupTable> MakeTable()
 {
@@ -452,6 +491,28 @@ void CheckNotLit(Checks& check)
   }
 }
 
+// Nothing is computed or uploaded anew but for the input and its arrays.
+void CheckUploads(Checks& check)
+{
+  Scene scene;
+  scene.Render();
+  const auto getTime = [&]
+  { return scene.Mapper->GetVBOs()->GetVBO("lineTangentMC")->GetUploadTime().GetMTime(); };
+  vtkMTimeType time = getTime();
+  scene.Renderer->GetActiveCamera()->Azimuth(1.0);
+  scene.Actor->RotateZ(1.0);
+  scene.Actor->GetProperty()->SetSpecular(0.3);
+  scene.Mapper->GetIllumination()->SetSpecularPower(300.0);
+  scene.Mapper->ScalarVisibilityOff();
+  vtkNew<vtkLight> light;
+  scene.Renderer->AddLight(light);
+  scene.Render();
+  check(getTime() == time, "no upload for camera, actor, property, model and lights");
+  scene.Mapper->GetInput()->Modified();
+  scene.Render();
+  check(getTime() > time, "an upload for a changed input");
+}
+
 // What the frame before was drawn with must not matter.
 void CheckChanges(Checks& check)
 {
@@ -461,7 +522,9 @@ void CheckChanges(Checks& check)
   scene.Render();
   scene.Actor->GetProperty()->LightingOn();
   CheckCross(check, "lighting on again", scene.Render());
+  const vtkMTimeType time = scene.Mapper->GetMTime();
   scene.Mapper->GetIllumination()->SetModelToMaximumReflection();
+  check(scene.Mapper->GetMTime() > time, "the mapper changes with its model");
   CheckPixel(check, "maximum reflection", scene.Render(), Upright,
     { static_cast<int>(std::lround(255 * 0.925)), 118, 59 });
   scene.Mapper->SetIllumination(nullptr);
@@ -530,9 +593,11 @@ int TestIlluminatedLineMapperPasses(int, char*[])
   CheckPasses(check);
   CheckMultisampling(check);
   CheckClipping(check);
+  CheckCoincident(check);
   CheckScalars(check);
   CheckUndisturbed(check);
   CheckNotLit(check);
+  CheckUploads(check);
   CheckChanges(check);
   check(messages->IsQuiet(), "no errors and no warnings");
   return check.GetResult();
