@@ -4,111 +4,20 @@
 // Guards that light on lines goes with all that vtkPolyDataMapper can do with them: whatever way a
 // line gets to the picture, in all passes, with multisampling, clipped, by cell and by point
 // colours, drawn by hardware or as triangles, its pixels have the one lit colour that is known from
-// the model; and that what is not to be lit is drawn as vtkPolyDataMapper draws it.
+// the model.
 
-#include "VoxelLineMapperTesting.h"
-#include "vtkCameraPass.h"
+#include "IlluminatedLineTesting.h"
+#include "RenderPassTesting.h"
 #include "vtkFloatArray.h"
-#include "vtkIlluminatedLineMapper.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
-#include "vtkLightsPass.h"
-#include "vtkLineIllumination.h"
 #include "vtkLookupTable.h"
-#include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLRenderer.h"
-#include "vtkOpenGLVertexBufferObject.h"
-#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPlane.h"
-#include "vtkRenderPassCollection.h"
-#include "vtkSequencePass.h"
-#include "vtkTranslucentPass.h"
 
-#include <functional>
-
-using namespace VoxelLineMapperTesting;
+using namespace IlluminatedLineTesting;
 
 namespace
 {
 const std::array<int, 3> White{ 255, 255, 255 };
-
-// A line along x through the middle of the picture, with a point in the middle, and one upwards,
-// under light from the viewer and from above: two colours.
-vtkSmartPointer<vtkPolyData> MakeCross(double z = 0.0)
-{
-  return MakeLines({ { { -0.9, 0.0, z }, { 0.0, 0.0, z }, { 0.9, 0.0, z } },
-    { { 0.5, -0.9, z }, { 0.5, -0.3, z } } });
-}
-
-constexpr double LightDirection[3] = { 0.0, 0.6, 0.8 };
-
-struct Scene : Stage
-{
-  vtkNew<vtkIlluminatedLineMapper> Mapper;
-  vtkSmartPointer<vtkActor> Actor;
-
-  explicit Scene(vtkPolyData* lines = MakeCross(), double opacity = 1.0)
-    : Stage(200, 200)
-  {
-    this->Mapper->SetInputData(lines);
-    this->Actor = this->Add(this->Mapper, opacity);
-    this->Actor->GetProperty()->SetLineWidth(7.0);
-    this->Actor->GetProperty()->SetColor(1.0, 0.5, 0.25);
-    this->Actor->GetProperty()->SetAmbient(0.125);
-    LookAlongZ(*this);
-    vtkNew<vtkLight> light;
-    light->SetPosition(LightDirection);
-    light->SetFocalPoint(0.0, 0.0, 0.0);
-    this->Renderer->AddLight(light);
-  }
-};
-
-std::array<int, 3> GetLit(const double tangent[3], const Point& color, double ambient = 0.125)
-{
-  const double viewer[3] = { 0.0, 0.0, 1.0 };
-  const double diffuse = vtkLineIllumination::GetDiffuseTerm(
-    tangent, viewer, LightDirection, vtkLineIllumination::CylinderAveraging);
-  std::array<int, 3> lit;
-  for (int i = 0; i < 3; ++i)
-  {
-    lit[i] = static_cast<int>(std::lround(255.0 * color[i] * (ambient + diffuse)));
-  }
-  return lit;
-}
-
-const double AlongX[3] = { 1.0, 0.0, 0.0 };
-const double AlongY[3] = { 0.0, 1.0, 0.0 };
-const Point Orange{ 1.0, 0.5, 0.25 };
-
-std::array<int, 3> Mix(const std::array<int, 3>& a, const std::array<int, 3>& b, double weightOfA)
-{
-  std::array<int, 3> mixed;
-  for (int i = 0; i < 3; ++i)
-  {
-    mixed[i] = static_cast<int>(std::lround(weightOfA * a[i] + (1.0 - weightOfA) * b[i]));
-  }
-  return mixed;
-}
-
-// Where the lines of MakeCross() are: beside the middle and on the one upwards.
-constexpr int Flat[2] = { 70, 100 };
-constexpr int Upright[2] = { 150, 40 };
-
-void CheckPixel(Checks& check, const std::string& name, const Picture& picture, const int place[2],
-  const std::array<int, 3>& expected, int tolerance = 1)
-{
-  const auto color = picture.At(place[0], place[1]);
-  check(IsNear(color, expected, tolerance),
-    name + ":" + Describe(color) + ", expected" + Describe(expected));
-}
-
-void CheckCross(
-  Checks& check, const std::string& name, const Picture& picture, const Point& color = Orange)
-{
-  CheckPixel(check, name + ", flat", picture, Flat, GetLit(AlongX, color));
-  CheckPixel(check, name + ", upright", picture, Upright, GetLit(AlongY, color));
-}
 
 // Widths: pixels across the upright line.
 int GetWidth(const Picture& picture)
@@ -170,36 +79,6 @@ void CheckWidths(Checks& check)
       vtkLineIllumination::Phong)));
   CheckPixel(
     check, "beyond the hardware, exponent", picture, middle, { specular, specular, specular });
-}
-
-enum Pass
-{
-  Independent,
-  Peeling,
-  Plain
-};
-const char* const PassNames[] = { "order-independent", "peeling", "plain" };
-
-void SetPass(Stage& stage, Pass pass)
-{
-  if (pass == Peeling)
-  {
-    stage.Renderer->UseDepthPeelingOn();
-    stage.Renderer->SetMaximumNumberOfPeels(20);
-    stage.Renderer->SetOcclusionRatio(0.0);
-  }
-  else if (pass == Plain)
-  {
-    vtkNew<vtkRenderPassCollection> passes;
-    passes->AddItem(vtkNew<vtkLightsPass>());
-    passes->AddItem(vtkNew<vtkOpaquePass>());
-    passes->AddItem(vtkNew<vtkTranslucentPass>());
-    vtkNew<vtkSequencePass> sequence;
-    sequence->SetPasses(passes);
-    vtkNew<vtkCameraPass> camera;
-    camera->SetDelegatePass(sequence);
-    vtkOpenGLRenderer::SafeDownCast(stage.Renderer)->SetPass(camera);
-  }
 }
 
 // Translucent lines before and behind an opaque, unlit, white sphere.
@@ -374,214 +253,6 @@ void CheckScalars(Checks& check)
     }
   }
 }
-
-// The flags of vtkProperty and arrays that would disturb VTK's own light on lines.
-void CheckUndisturbed(Checks& check)
-{
-  auto lines = MakeCross();
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
-  for (int i = 0; i < 5; ++i)
-  {
-    normals->InsertNextTuple3(0.0, -0.6, -0.8);
-  }
-  Scene scene(lines);
-  for (bool hasNormals : { false, true })
-  {
-    lines->GetPointData()->SetNormals(hasNormals ? normals.Get() : nullptr);
-    for (int interpolation : { VTK_FLAT, VTK_GOURAUD, VTK_PHONG, VTK_PBR })
-    {
-      for (int representation : { VTK_SURFACE, VTK_WIREFRAME })
-      {
-        scene.Actor->GetProperty()->SetInterpolation(interpolation);
-        scene.Actor->GetProperty()->SetRepresentation(representation);
-        CheckCross(check,
-          "interpolation " + std::to_string(interpolation) + (hasNormals ? ", normals" : ""),
-          scene.Render());
-      }
-    }
-  }
-}
-
-// The same picture as that of vtkPolyDataMapper.
-void CheckAsPlain(
-  Checks& check, const std::string& name, const std::function<void(Scene&, vtkActor*)>& change)
-{
-  auto data = MakeCross();
-  Picture pictures[2];
-  for (int plain : { 0, 1 })
-  {
-    Scene scene(data);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(data);
-    if (plain)
-    {
-      scene.Actor->SetMapper(mapper);
-    }
-    change(scene, scene.Actor);
-    pictures[plain] = scene.Render();
-  }
-  const Difference difference = Compare(pictures[0], pictures[1]);
-  check(difference.Largest == 0 && GetCoverage(pictures[0], Background) > 0.0001,
-    name + " as vtkPolyDataMapper" + Describe(difference));
-}
-
-void CheckNotLit(Checks& check)
-{
-  CheckAsPlain(
-    check, "lighting off", [](Scene&, vtkActor* actor) { actor->GetProperty()->LightingOff(); });
-  CheckAsPlain(check, "no light",
-    [](Scene& scene, vtkActor*)
-    {
-      scene.Renderer->RemoveAllLights();
-      scene.Renderer->AutomaticLightCreationOff();
-    });
-  CheckAsPlain(
-    check, "tubes", [](Scene&, vtkActor* actor) { actor->GetProperty()->RenderLinesAsTubesOn(); });
-  CheckAsPlain(check, "points",
-    [](Scene&, vtkActor* actor) { actor->GetProperty()->SetRepresentationToPoints(); });
-
-  // Other cells of the same data set.
-  auto data = MakeCross();
-  data->GetPoints()->InsertNextPoint(-0.8, 0.8, 0.0);
-  data->GetPoints()->InsertNextPoint(-0.2, 0.8, 0.0);
-  data->GetPoints()->InsertNextPoint(-0.2, 0.3, 0.0);
-  vtkNew<vtkCellArray> polys;
-  polys->InsertNextCell({ 5, 6, 7 });
-  vtkNew<vtkCellArray> verts;
-  verts->InsertNextCell({ 1 });
-  for (int representation : { VTK_SURFACE, VTK_WIREFRAME })
-  {
-    Picture pictures[3];
-    for (int kind : { 0, 1, 2 })
-    {
-      // 0: lines alone, 1: all, 2: all but the lines by vtkPolyDataMapper.
-      vtkNew<vtkPolyData> part;
-      part->SetPoints(data->GetPoints());
-      part->SetLines(kind == 2 ? vtkNew<vtkCellArray>().Get() : data->GetLines());
-      if (kind > 0)
-      {
-        part->SetPolys(polys);
-        part->SetVerts(verts);
-      }
-      Scene scene(part);
-      vtkNew<vtkPolyDataMapper> mapper;
-      mapper->SetInputData(part);
-      if (kind == 2)
-      {
-        scene.Actor->SetMapper(mapper);
-      }
-      scene.Actor->GetProperty()->SetRepresentation(representation);
-      scene.Actor->GetProperty()->SetPointSize(13.0);
-      pictures[kind] = scene.Render();
-    }
-    bool isSum = true;
-    for (int y = 0; y < 200; ++y)
-    {
-      for (int x = 0; x < 200; ++x)
-      {
-        const auto all = pictures[1].At(x, y);
-        const auto others = pictures[2].At(x, y);
-        isSum &= all == others || (all == pictures[0].At(x, y));
-        isSum &= all != Background || (others == Background && pictures[0].At(x, y) == Background);
-      }
-    }
-    check(isSum && GetCoverage(pictures[2], Background) > 0.01,
-      "other cells are drawn as vtkPolyDataMapper draws them");
-  }
-}
-
-// Nothing is computed or uploaded anew but for the input and its arrays.
-void CheckUploads(Checks& check)
-{
-  Scene scene;
-  scene.Render();
-  const auto getTime = [&]
-  { return scene.Mapper->GetVBOs()->GetVBO("lineTangentMC")->GetUploadTime().GetMTime(); };
-  vtkMTimeType time = getTime();
-  scene.Renderer->GetActiveCamera()->Azimuth(1.0);
-  scene.Actor->RotateZ(1.0);
-  scene.Actor->GetProperty()->SetSpecular(0.3);
-  scene.Mapper->GetIllumination()->SetSpecularPower(300.0);
-  scene.Mapper->ScalarVisibilityOff();
-  vtkNew<vtkLight> light;
-  scene.Renderer->AddLight(light);
-  scene.Render();
-  check(getTime() == time, "no upload for camera, actor, property, model and lights");
-  scene.Mapper->GetInput()->Modified();
-  scene.Render();
-  check(getTime() > time, "an upload for a changed input");
-}
-
-// What the frame before was drawn with must not matter.
-void CheckChanges(Checks& check)
-{
-  Scene scene;
-  CheckCross(check, "at first", scene.Render());
-  scene.Actor->GetProperty()->LightingOff();
-  scene.Render();
-  scene.Actor->GetProperty()->LightingOn();
-  CheckCross(check, "lighting on again", scene.Render());
-  const vtkMTimeType time = scene.Mapper->GetMTime();
-  scene.Mapper->GetIllumination()->SetModelToMaximumReflection();
-  check(scene.Mapper->GetMTime() > time, "the mapper changes with its model");
-  CheckPixel(check, "maximum reflection", scene.Render(), Upright,
-    { static_cast<int>(std::lround(255 * 0.925)), 118, 59 });
-  scene.Mapper->SetIllumination(nullptr);
-  CheckCross(check, "the default model again", scene.Render());
-
-  // One mapper in two viewports under different lights, and in another window.
-  vtkNew<vtkRenderer> other;
-  vtkNew<vtkLight> light;
-  light->SetPosition(0.0, 0.0, 1.0);
-  light->SetIntensity(0.5);
-  other->AddLight(light);
-  vtkNew<vtkLight> lamp;
-  lamp->SetPosition(0.0, 0.0, 1.0);
-  lamp->SetIntensity(0.25);
-  other->AddLight(lamp);
-  other->AddActor(scene.Actor);
-  other->SetActiveCamera(scene.Renderer->GetActiveCamera());
-  other->SetBackground(scene.Renderer->GetBackground());
-  scene.Window->SetSize(400, 200);
-  scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
-  other->SetViewport(0.5, 0.0, 1.0, 1.0);
-  scene.Window->AddRenderer(other);
-  for (int frame = 0; frame < 2; ++frame)
-  {
-    const Picture picture = scene.Render();
-    CheckCross(check, "left viewport", picture);
-    const double across = 0.125 + 0.75 * std::atan(1.0);
-    const int place[2] = { 200 + Upright[0], Upright[1] };
-    CheckPixel(check, "right viewport", picture, place,
-      { static_cast<int>(std::lround(255 * across)), static_cast<int>(std::lround(127.5 * across)),
-        static_cast<int>(std::lround(63.75 * across)) });
-  }
-  Scene second;
-  second.Actor->SetMapper(scene.Mapper);
-  CheckCross(check, "second window", second.Render());
-  CheckCross(check, "first window again", scene.Render());
-  second.Actor->SetMapper(nullptr);
-  second.Renderer->RemoveAllViewProps();
-  scene.Mapper->ReleaseGraphicsResources(scene.Window);
-  CheckCross(check, "after release", scene.Render());
-
-  vtkNew<vtkIlluminatedLineMapper> copy;
-  scene.Mapper->GetIllumination()->StretchDynamicRangeOn();
-  scene.Mapper->SetTangentArrayName("t");
-  scene.Mapper->SetSpecularPowerArrayName("p");
-  copy->ShallowCopy(scene.Mapper);
-  check(copy->GetIllumination() == scene.Mapper->GetIllumination() &&
-      copy->GetTangentArrayName() == "t" && copy->GetSpecularPowerArrayName() == "p" &&
-      copy->GetInput() == scene.Mapper->GetInput(),
-    "a shallow copy has all");
-  std::ostringstream text;
-  copy->Print(text);
-  for (const char* name : { "TangentArrayName: t", "SpecularPowerArrayName: p", "Illumination:" })
-  {
-    check(text.str().find(name) != std::string::npos, std::string("printed: ") + name);
-  }
-}
 }
 
 int TestIlluminatedLineMapperPasses(int, char*[])
@@ -595,10 +266,6 @@ int TestIlluminatedLineMapperPasses(int, char*[])
   CheckClipping(check);
   CheckCoincident(check);
   CheckScalars(check);
-  CheckUndisturbed(check);
-  CheckNotLit(check);
-  CheckUploads(check);
-  CheckChanges(check);
   check(messages->IsQuiet(), "no errors and no warnings");
   return check.GetResult();
 }
