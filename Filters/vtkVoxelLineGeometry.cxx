@@ -19,7 +19,9 @@
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVoxelLineLevelsPrivate.h"
 #include "vtkVoxelLineModel.h"
+#include "vtkVoxelLineRepresentativesPrivate.h"
 #include "vtkVoxelLineSegmentsPrivate.h"
 
 #include <algorithm>
@@ -199,8 +201,26 @@ private:
     return this->Starts[0];
   }
 
+  /// Where the next stretch begins: where more segments leave than arrive, as long as there are
+  /// such points, then where any one leaves.
+  std::size_t FindNextStart()
+  {
+    const std::size_t size = this->Balance.size();
+    for (; this->NextStart < 2 * size; ++this->NextStart)
+    {
+      const std::size_t node = this->NextStart % size;
+      if ((this->NextStart >= size || this->Balance[node] > 0) &&
+        this->Cursors[node] < this->FirstLeaving[node + 1])
+      {
+        break;
+      }
+    }
+    return this->NextStart % size;
+  }
+
   void FindTrail(std::size_t node)
   {
+    this->NextStart = 0;
     this->Trail.clear();
     this->Path.clear();
     std::size_t remaining = this->Starts.size();
@@ -220,12 +240,8 @@ private:
       }
       else if (remaining > 0)
       {
-        // Only in a model whose segments do not hang together: another stretch.
-        node = 0;
-        while (this->Cursors[node] == this->FirstLeaving[node + 1])
-        {
-          ++node;
-        }
+        // Where the segments do not hang together, as those of representatives: another stretch.
+        node = this->FindNextStart();
       }
       else
       {
@@ -245,6 +261,8 @@ private:
   std::vector<std::size_t> Leaving;
   std::vector<std::size_t> Path;
   std::vector<std::size_t> Trail;
+  /// How far FindNextStart() has looked: once at all nodes for either kind of start.
+  std::size_t NextStart = 0;
 };
 
 /// Writes points and their data; several threads may write different points.
@@ -452,16 +470,25 @@ int vtkVoxelLineGeometry::RequestData(vtkInformation* vtkNotUsed(request),
   vtkVoxelLineModel* model = vtkVoxelLineModel::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->SetErrorCode(vtkErrorCode::NoError);
-  if (this->Level != 0)
+  std::string error = model ? model->FindDefect() : std::string();
+  if (error.empty())
   {
-    vtkErrorMacro("Level is " << this->Level << "; the model has level 0 only.");
-    this->SetErrorCode(vtkErrorCode::UserError);
-    return 1;
+    error = vtkVoxelLineLevels::FindLevelError(model, this->Level);
   }
-  const std::string defect = model ? model->FindDefect() : std::string();
-  if (!defect.empty())
+  vtkNew<vtkVoxelLineModel> representatives;
+  if (error.empty() && model && this->Level > 0)
   {
-    vtkErrorMacro(<< defect);
+    const auto goesOn = [this](double progress)
+    {
+      this->UpdateProgress(0.3 * progress);
+      return !vtkLineSetsCompatibility::CheckAbort(this);
+    };
+    error = vtkVoxelLineRepresentatives::MakeLevel(model, this->Level, goesOn, representatives);
+    model = representatives;
+  }
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
     this->SetErrorCode(vtkErrorCode::UserError);
     return 1;
   }

@@ -21,6 +21,11 @@
  * than the curve did, at the same places.
  *
  * A line that was kept as a point gives a line of two equal points.
+ *
+ * Representative lines carry the curve of the longest line of their voxel, which changes from voxel
+ * to voxel. A curve may then give several lines, one for each stretch of voxels that it stands for.
+ *
+ * @sa vtkVoxelLineModel vtkVoxelLineLevel
  */
 
 #ifndef vtkVoxelLineGeometry_h
@@ -38,8 +43,12 @@ public:
 
   ///@{
   /**
-   * Level of detail. Only 0, the full model, exists; at the next update, an error is told
-   * for any other. Default 0.
+   * Level of detail: 0 is the full model, with all of its segments. From 1 on, these are the
+   * representative lines of a level, one for each voxel of 2^Level times the edge length, as
+   * vtkVoxelLineLevel makes them, up to ceil(log2(largest dimension)), a single voxel. The
+   * representatives of the model's own voxels, level 0 of vtkVoxelLineLevel, are not among
+   * these: use that filter before this one to get them. At the next update, an error tells of
+   * any other level. Default 0.
    */
   vtkSetMacro(Level, int);
   vtkGetMacro(Level, int);

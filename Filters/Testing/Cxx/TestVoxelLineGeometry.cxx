@@ -311,10 +311,10 @@ void TestErrors(Checks& check)
   density->AddObserver(vtkCommand::ErrorEvent, observer);
   geometry->SetInputConnection(voxelizer->GetOutputPort());
   density->SetInputConnection(voxelizer->GetOutputPort());
-  geometry->SetLevel(1);
+  geometry->SetLevel(-1);
   geometry->Update();
   check(observer->NumberOfErrors == 1 &&
-      observer->ErrorMessage.find("level 0 only") != std::string::npos &&
+      observer->ErrorMessage.find("the levels 0 to") != std::string::npos &&
       geometry->GetErrorCode() == vtkErrorCode::UserError &&
       geometry->GetOutput()->GetNumberOfPoints() == 0,
     "geometry of another level");
