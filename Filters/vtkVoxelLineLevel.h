@@ -12,9 +12,10 @@
  * the representative lines of the input's own voxels; this is not the input itself.
  *
  * <b>Lines.</b> What is averaged are the passages of curves through a voxel: from the point where
- * the curve comes in, or begins, to the point where it goes out, or ends. They are put together
- * from the segments of the input, at each level anew, and not from the representatives of the level
- * before: each curve then has its weight in the average, and errors do not add up.
+ * the curve comes in, or begins, to the point where it goes out, or ends. One that ends where it
+ * begins counts only where its curve has no other through the voxel. They are put together from the
+ * segments of the input, at each level anew, and not from the representatives of the level before:
+ * each curve then has its weight in the average, and errors do not add up.
  *
  * <b>Average.</b> The representative goes from the mean of the start points to the mean of the end
  * points, each passage with the same weight. A passage at more than 90 degrees to the direction

@@ -26,6 +26,30 @@ bool IsClosed(const Passage& passage)
   return passage.Start.Point == passage.End.Point;
 }
 
+/// Of the passages from an index on, ordered by curve, leave out the closed ones of each curve that
+/// has others.
+void DropClosed(std::vector<Passage>& passages, std::size_t begin)
+{
+  std::size_t size = begin;
+  for (std::size_t first = begin, last = begin; first < passages.size(); first = last)
+  {
+    bool hasOpen = false;
+    while (last < passages.size() && passages[last].Curve == passages[first].Curve)
+    {
+      hasOpen = hasOpen || !IsClosed(passages[last]);
+      ++last;
+    }
+    for (std::size_t i = first; i < last; ++i)
+    {
+      if (!hasOpen || !IsClosed(passages[i]))
+      {
+        passages[size++] = passages[i];
+      }
+    }
+  }
+  passages.resize(size);
+}
+
 /// Where a new row of parts begins: cells of the same coarse voxel are a row.
 std::array<int, 3> ParentOf(const std::array<int, 3>& voxel)
 {
@@ -181,6 +205,7 @@ void PassageJoiner::SortByCurve(const std::vector<Passage>& parts)
 //------------------------------------------------------------------------------
 void PassageJoiner::Join(const std::vector<Passage>& parts, std::vector<Passage>& passages)
 {
+  const std::size_t begin = passages.size();
   this->SortByCurve(parts);
   for (std::size_t first = 0, last = 0; first < parts.size(); first = last)
   {
@@ -201,6 +226,7 @@ void PassageJoiner::Join(const std::vector<Passage>& parts, std::vector<Passage>
     }
     this->JoinCurve(passages);
   }
+  DropClosed(passages, begin);
 }
 
 //------------------------------------------------------------------------------
@@ -255,6 +281,7 @@ void PassageReader::ReadVoxel(vtkIdType brick, const int voxel[3], vtkIdType fir
       passages.push_back(passage);
     }
   }
+  DropClosed(passages, begin);
 }
 
 //------------------------------------------------------------------------------

@@ -8,7 +8,10 @@
  * another of its curve ends belongs to the same passage. So does, in a voxel of a coarser level,
  * a passage of one of its eight parts that begins where one of another part ends: these points
  * are equal exactly, since the end points of a model are quantized once for both sides of a
- * face. A curve that comes back has several passages. The passages of a level are thus what a
+ * face. A curve that comes back has several passages. Which of several passages that meet in a
+ * point belong together cannot be told; however they are joined, from each way in there is a way
+ * out, and what is left are rings. A ring, or any passage that ends where it begins, counts only
+ * where its curve has no other passage through the voxel. The passages of a level are thus what a
  * voxelization with voxels of that size and no points inside voxels would give, but they are made
  * from the model, level by level, without the curves.
  */

@@ -42,15 +42,16 @@ struct Passage
 };
 
 /// The passages of each voxel, found by walking along each curve. A curve that only touches a face
-/// from inside, so that it leaves and comes back by the same point, is still in its passage.
+/// from inside, so that it leaves and comes back by the same point, is still in its passage. What
+/// ends where it begins is left out where the curve has other passages.
 std::map<Voxel, std::vector<Passage>> FindPassages(
   Checks& check, vtkVoxelLineModel* model, int level)
 {
   std::map<Voxel, std::vector<Passage>> passages;
-  const std::vector<Segment> all = DecodeModel(model);
+  const std::vector<Segment> segments = DecodeModel(model);
   for (vtkIdType curve = 0; curve < model->GetNumberOfCurves(); ++curve)
   {
-    const std::vector<Segment> chain = Chain(all, curve);
+    const std::vector<Segment> chain = Chain(segments, curve);
     check(!chain.empty(), "a chain for each curve");
     Voxel last = { -1, -1, -1 };
     for (const Segment& segment : chain)
@@ -71,6 +72,21 @@ std::map<Voxel, std::vector<Passage>> FindPassages(
       }
       here.back().End = scale * segment.End - corner;
       last = voxel;
+    }
+  }
+  for (auto& entry : passages)
+  {
+    const std::vector<Passage> all = entry.second;
+    const auto isClosed = [](const Passage& passage) { return passage.Start == passage.End; };
+    entry.second.clear();
+    for (const Passage& passage : all)
+    {
+      const bool hasOther = std::any_of(all.begin(), all.end(),
+        [&](const Passage& other) { return other.Curve == passage.Curve && !isClosed(other); });
+      if (!isClosed(passage) || !hasOther)
+      {
+        entry.second.push_back(passage);
+      }
     }
   }
   return passages;
