@@ -3,14 +3,12 @@
 #include "vtkIlluminatedLineVertices.h"
 
 #include "vtkCellArray.h"
-#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkLineIllumination.h"
 #include "vtkLineTangents.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
@@ -130,7 +128,7 @@ const char* vtkIlluminatedLineVertices::GetPointIdName()
 bool vtkIlluminatedLineVertices::Update(
   vtkPolyData* input, const std::string& tangentArrayName, const std::string& powerArrayName)
 {
-  if (input && this->Input == input && this->InputTime == input->GetMTime() &&
+  if (this->Input == input && this->InputTime == input->GetMTime() &&
     this->TangentArrayName == tangentArrayName && this->PowerArrayName == powerArrayName)
   {
     return false;

@@ -12,6 +12,8 @@
 #ifndef vtkIlluminatedLineVertices_h
 #define vtkIlluminatedLineVertices_h
 
+#include "vtkFloatArray.h"
+#include "vtkPolyData.h"
 #include "vtkRenderingLineSetsModule.h" // For export macro
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -21,8 +23,6 @@
 #include <vector>
 
 class vtkDataArray;
-class vtkFloatArray;
-class vtkPolyData;
 struct vtkLineTangents;
 
 class VTKRENDERINGLINESETS_EXPORT vtkIlluminatedLineVertices

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLineTangents.h"
 
-#include "vtkCellArray.h"
-#include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -39,23 +37,29 @@ struct Counts
 // Unit vector from a to b. Returns false where there is none.
 bool GetDirection(const Vector& a, const Vector& b, Vector& direction)
 {
-  double largest = 0.0;
-  for (int i = 0; i < 3; ++i)
+  // Halves, whose difference is finite wherever the points are.
+  direction = { 0.5 * b[0] - 0.5 * a[0], 0.5 * b[1] - 0.5 * a[1], 0.5 * b[2] - 0.5 * a[2] };
+  double square = vtkMath::Dot(direction.data(), direction.data());
+  if (!(square > 1e-200 && square < 1e200))
   {
-    // Halves, whose difference is finite wherever the points are.
-    direction[i] = 0.5 * b[i] - 0.5 * a[i];
-    largest = std::max(largest, std::abs(direction[i]));
+    // Squares of tiny or huge numbers may be 0 or infinite.
+    const double largest =
+      std::max({ std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2]) });
+    if (largest == 0.0)
+    {
+      return false;
+    }
+    for (double& x : direction)
+    {
+      x /= largest;
+    }
+    square = vtkMath::Dot(direction.data(), direction.data());
   }
-  if (largest == 0.0)
-  {
-    return false;
-  }
-  // Squares of tiny or huge numbers would be 0 or infinite.
+  const double factor = 1.0 / std::sqrt(square);
   for (double& x : direction)
   {
-    x /= largest;
+    x *= factor;
   }
-  vtkMath::Normalize(direction.data());
   return true;
 }
 
@@ -114,7 +118,7 @@ private:
     {
       const vtkIdType id = ids->GetId(i);
       Place place;
-      place.Position = { vtkMath::Nan(), vtkMath::Nan(), vtkMath::Nan() };
+      place.Position = { 0.0, 0.0, 0.0 };
       place.IsFinite = false;
       place.End = i + 1;
       if (id >= 0 && id < this->Points->GetNumberOfPoints())

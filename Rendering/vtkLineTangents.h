@@ -21,14 +21,14 @@
 #ifndef vtkLineTangents_h
 #define vtkLineTangents_h
 
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
 #include "vtkRenderingLineSetsModule.h" // For export macro
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <vector>
 
-class vtkCellArray;
-class vtkFloatArray;
 class vtkPolyData;
 
 struct VTKRENDERINGLINESETS_EXPORT vtkLineTangents
