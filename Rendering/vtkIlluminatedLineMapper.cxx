@@ -7,16 +7,13 @@
 #include "vtkHardwareSelector.h"
 #include "vtkIlluminatedLineVertices.h"
 #include "vtkLineIllumination.h"
-#include "vtkLineMerging.h"
 #include "vtkLineSetsLighting.h"
 #include "vtkLineSetsLightingUniforms.h"
 #include "vtkMatrix4x4.h"
-#include "vtkMergedLineBuffers.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLActor.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLHelper.h"
-#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObjectCache.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
@@ -50,22 +47,6 @@ constexpr const char* LightImplementation =
   "  diffuseColor = vec3(0.0);\n"
   "  //VTK::Light::Impl\n";
 
-// Product of an actor's matrix and the camera's view, transposed as VTK keeps it for shaders; and
-// the camera's projection, alike.
-void GetMatrices(
-  vtkRenderer* renderer, vtkActor* actor, vtkMatrix4x4* dataToView, vtkMatrix4x4*& viewToDisplay)
-{
-  vtkMatrix4x4* dataToWorld;
-  vtkMatrix3x3* dataToWorldNormals;
-  static_cast<vtkOpenGLActor*>(actor)->GetKeyMatrices(dataToWorld, dataToWorldNormals);
-  vtkMatrix4x4* worldToView;
-  vtkMatrix3x3* worldToViewNormals;
-  vtkMatrix4x4* worldToDisplay;
-  static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera())
-    ->GetKeyMatrices(renderer, worldToView, worldToViewNormals, viewToDisplay, worldToDisplay);
-  vtkMatrix4x4::Multiply4x4(dataToWorld, worldToView, dataToView);
-}
-
 // Put code before what the superclass will put at a place of a shader.
 void InsertBefore(vtkShader* shader, const std::string& place, const std::string& code)
 {
@@ -84,7 +65,6 @@ public:
   vtkIlluminatedLineVertices Vertices;
   vtkLineSetsLighting Lighting;
   vtkLineSetsLightingUniforms Uniforms;
-  vtkMergedLineBuffers Merged;
 
   // Whether the lines being drawn are lit, by which shader source, and how VTK would light them.
   bool IsLit = false;
@@ -141,23 +121,6 @@ void vtkIlluminatedLineMapper::SetSpecularPowerArrayName(const std::string& name
   if (this->SpecularPowerArrayName != name)
   {
     this->SpecularPowerArrayName = name;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIlluminatedLineMapper::SetMergeLength(double pixels)
-{
-  if (!std::isfinite(pixels) || pixels < 0.0)
-  {
-    vtkErrorMacro("MergeLength " << pixels
-                                 << " is not valid: it must be a finite number of pixels, 0"
-                                 << " or above. It stays " << this->MergeLength << ".");
-    return;
-  }
-  if (this->MergeLength != pixels)
-  {
-    this->MergeLength = pixels;
     this->Modified();
   }
 }
@@ -221,49 +184,6 @@ void vtkIlluminatedLineMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor*
   this->UpdateVertices();
   this->CurrentInput = this->Internals->Vertices.GetData();
   this->Superclass::RenderPieceStart(renderer, actor);
-}
-
-//------------------------------------------------------------------------------
-void vtkIlluminatedLineMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
-{
-  vtkOpenGLHelper& lines = this->Primitives[PrimitiveLines];
-  vtkOpenGLIndexBufferObject* whole = lines.IBO;
-  this->Superclass::RenderPieceDraw(renderer, actor);
-  this->NumberOfDrawnSegments = static_cast<vtkIdType>(lines.IBO->IndexCount / 2);
-  lines.IBO = whole;
-}
-
-//------------------------------------------------------------------------------
-void vtkIlluminatedLineMapper::UpdateShaders(
-  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
-{
-  this->Superclass::UpdateShaders(cellBO, renderer, actor);
-  if (&cellBO != &this->Primitives[PrimitiveLines] || this->MergeLength <= 0.0 ||
-    actor->GetProperty()->GetRepresentation() == VTK_POINTS || renderer->GetSelector() ||
-    !cellBO.Program)
-  {
-    return;
-  }
-  // Colours of cells, and whatever else passes may want, are found by the number of the segment.
-  const std::string source = cellBO.Program->GetFragmentShader()->GetSource();
-  if (source.find("gl_PrimitiveID") != std::string::npos)
-  {
-    return;
-  }
-  vtkNew<vtkMatrix4x4> viewFromData;
-  vtkMatrix4x4* viewToDisplay;
-  GetMatrices(renderer, actor, viewFromData, viewToDisplay);
-  viewFromData->Transpose();
-  vtkNew<vtkMatrix4x4> clipFromView;
-  vtkMatrix4x4::Transpose(viewToDisplay, clipFromView);
-  int size[2];
-  renderer->GetTiledSize(&size[0], &size[1]);
-  const double length = vtkLineMerging::GetLength(
-    this->MergeLength, this->CurrentInput->GetBounds(), viewFromData, clipFromView, size);
-  vtkOpenGLIndexBufferObject* merged =
-    this->Internals->Merged.Get(this->CurrentInput, length, cellBO.IBO->IndexCount);
-  // Until it is drawn: RenderPieceDraw() puts the whole buffer back.
-  cellBO.IBO = merged ? merged : cellBO.IBO;
 }
 
 //------------------------------------------------------------------------------
@@ -434,9 +354,18 @@ void vtkIlluminatedLineMapper::SetCameraShaderParameters(
   {
     return;
   }
-  vtkNew<vtkMatrix4x4> dataToView;
+  // VTK keeps these matrices transposed, as shaders take them.
+  vtkMatrix4x4* dataToWorld;
+  vtkMatrix3x3* dataToWorldNormals;
+  static_cast<vtkOpenGLActor*>(actor)->GetKeyMatrices(dataToWorld, dataToWorldNormals);
+  vtkMatrix4x4* worldToView;
+  vtkMatrix3x3* worldToViewNormals;
   vtkMatrix4x4* viewToDisplay;
-  GetMatrices(renderer, actor, dataToView, viewToDisplay);
+  vtkMatrix4x4* worldToDisplay;
+  static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera())
+    ->GetKeyMatrices(renderer, worldToView, worldToViewNormals, viewToDisplay, worldToDisplay);
+  vtkNew<vtkMatrix4x4> dataToView;
+  vtkMatrix4x4::Multiply4x4(dataToWorld, worldToView, dataToView);
 
   // Tangents are directions along the line, not normals; their length does not matter.
   double largest = 0.0;
@@ -486,7 +415,6 @@ void vtkIlluminatedLineMapper::WarnOnce(std::string& last, const std::string& wa
 void vtkIlluminatedLineMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Uniforms.ReleaseGraphicsResources(window);
-  this->Internals->Merged.ReleaseGraphicsResources();
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -497,7 +425,6 @@ void vtkIlluminatedLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
   {
     this->SetTangentArrayName(other->TangentArrayName);
     this->SetSpecularPowerArrayName(other->SpecularPowerArrayName);
-    this->SetMergeLength(other->MergeLength);
     this->SetIllumination(other->GetIllumination());
   }
   if (auto* other = vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
@@ -518,8 +445,6 @@ void vtkIlluminatedLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TangentArrayName: " << this->TangentArrayName << "\n";
   os << indent << "SpecularPowerArrayName: " << this->SpecularPowerArrayName << "\n";
-  os << indent << "MergeLength: " << this->MergeLength << "\n";
-  os << indent << "NumberOfDrawnSegments: " << this->NumberOfDrawnSegments << "\n";
   os << indent << "Illumination:\n";
   this->Internals->Illumination->PrintSelf(os, indent.GetNextIndent());
 }

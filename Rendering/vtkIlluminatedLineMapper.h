@@ -90,21 +90,6 @@ public:
   vtkGetMacro(SpecularPowerArrayName, std::string);
   ///@}
 
-  ///@{
-  /**
-   * Consecutive segments of a line that are together no longer than this on the screen, in pixels,
-   * are drawn as one, unless that would move the line by more than an eighth of it. Line sets often
-   * have many points to a pixel, and the time goes by the segment. Default 2: lines move by at most
-   * a quarter of a pixel. 0: every segment is drawn, as always where cells have colours or are
-   * selected. A negative value, infinity or NaN is an error.
-   */
-  virtual void SetMergeLength(double pixels);
-  vtkGetMacro(MergeLength, double);
-  ///@}
-
-  /// Number of segments that were drawn in the last frame, after merging; 0 before the first one.
-  vtkGetMacro(NumberOfDrawnSegments, vtkIdType);
-
   /// Modification time of the mapper, its lookup table and its illumination.
   vtkMTimeType GetMTime() override;
 
@@ -116,7 +101,6 @@ public:
     vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop) override;
 
   void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
-  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -129,7 +113,6 @@ protected:
 
   void UpdateCameraShiftScale(vtkRenderer* renderer, vtkActor* actor) override;
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
-  void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
   bool GetNeedToRebuildShaders(
     vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderLight(
@@ -143,8 +126,6 @@ protected:
 
   std::string TangentArrayName;
   std::string SpecularPowerArrayName;
-  double MergeLength = 2.0;
-  vtkIdType NumberOfDrawnSegments = 0;
 
 private:
   vtkIlluminatedLineMapper(const vtkIlluminatedLineMapper&) = delete;
