@@ -213,14 +213,13 @@ Representative Average(const AveragingRules& rules, const std::array<int, 3>& vo
   Representative line;
   line.Voxel = voxel;
   line.Curve = longest->Curve;
-  const int interiorBins = vtkVoxelLineEncoding::InteriorBinsOf(rules.FaceBins);
   for (std::size_t i = 0; i < 2; ++i)
   {
     RepresentativeEnd& end = line.Ends[i];
     means[i].Write(end);
     if (means[i].GetIsInside())
     {
-      SnapToInside(means[i].GetPoint(), interiorBins, end);
+      SnapToInside(means[i].GetPoint(), rules.InteriorBins, end);
     }
     else
     {

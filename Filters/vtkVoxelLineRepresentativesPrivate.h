@@ -8,7 +8,7 @@
  * 2. The representatives are put in the order of a model: by brick, then by voxel.
  * 3. Across each face, the ends of two representatives are joined. Each face belongs to the voxel
  *    on its lower side, and each end lies on one face, so that threads do not meet.
- * 4. The model is assembled; every brick has its place from the counts of occupied voxels.
+ * 4. The model is written (vtkVoxelLineLevelWriterPrivate.cxx).
  */
 
 #ifndef vtkVoxelLineRepresentativesPrivate_h
@@ -48,6 +48,7 @@ struct AveragingRules
 {
   int Level = 0;
   int FaceBins = 32;
+  int InteriorBins = 12;
   /// Attribute bytes that are used, 0 to 4, and whether the byte 255 of a single one marks NaN.
   std::size_t AttributeSize = 0;
   bool HasNaN = false;
@@ -56,6 +57,30 @@ struct AveragingRules
 /// The average of the passages [first, last), of which there is one at least.
 Representative Average(const AveragingRules& rules, const std::array<int, 3>& voxel,
   const Passage* first, const Passage* last);
+
+/// The representatives of a level in the order of a model, and the bricks that they make.
+struct LevelTable
+{
+  /// Cell in the brick grid, occupied voxels, and first representative.
+  struct Brick
+  {
+    std::uint32_t Cell;
+    std::uint32_t First;
+    std::uint64_t Mask;
+  };
+
+  int Dimensions[3] = { 0, 0, 0 };
+  int BrickDimensions[3] = { 0, 0, 0 };
+  std::vector<Representative> Lines;
+  /// A last entry ends the range of the brick before it.
+  std::vector<Brick> Bricks;
+  /// For each cell of the brick grid its index in Bricks, or -1.
+  std::vector<std::int32_t> BrickOfCell;
+};
+
+/// Fill an initialized model with the representatives of another one.
+void WriteModel(vtkVoxelLineModel* source, const AveragingRules& rules, const LevelTable& table,
+  vtkVoxelLineModel* output);
 
 /// Is called with the fraction of the work done; returns whether to go on.
 using ProgressFunction = std::function<bool(double)>;
