@@ -10,6 +10,7 @@
 #include "vtkAssembly.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
+#include "vtkLight.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 
@@ -252,6 +253,40 @@ void CheckRadii(Checks& check)
   }
 }
 
+// Light from the side on a slanted line: below a pixel of width all that is seen of it has the same
+// colour, the average over its width; above two, light and shade lie side by side.
+void CheckLight(Checks& check)
+{
+  for (const double width : { 0.6, 0.95, 3.0 })
+  {
+    auto mapper = MakeMapper(MakeLines({ { { -0.8, -0.3, 0.0 }, { 0.8, 0.4, 0.0 } } }), width);
+    Stage stage(Size, Size);
+    stage.Renderer->SetBackground(0.0, 0.0, 0.0);
+    stage.Renderer->AutomaticLightCreationOff();
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(-2.0, 5.0, 1.0);
+    stage.Renderer->AddLight(light);
+    stage.Add(mapper);
+    LookAlongZ(stage);
+    const Picture picture = stage.Render();
+    int lowest = 255;
+    int highest = 0;
+    for (int x = 40; x < 160; ++x)
+    {
+      for (int y = 0; y < Size; ++y)
+      {
+        const int value = picture.At(x, y)[0];
+        lowest = value > 0 ? std::min(lowest, value) : lowest;
+        highest = std::max(highest, value);
+      }
+    }
+    const std::string text = "light on a tube " + std::to_string(width) +
+      " pixels wide: " + std::to_string(lowest) + " to " + std::to_string(highest);
+    check(highest > 40 && (width < 1.0) == (highest - lowest <= 1), text);
+  }
+}
+
 // A slanted line a tenth of a pixel wide is found in each column.
 void CheckSelection(Checks& check)
 {
@@ -313,6 +348,7 @@ int TestVoxelLineMapperThinTubes(int, char*[])
   CheckTwoRenderers(check);
   CheckAnswer(check);
   CheckRadii(check);
+  CheckLight(check);
   CheckSelection(check);
   CheckCopy(check);
   check(messages->IsQuiet(), "nothing is said");
