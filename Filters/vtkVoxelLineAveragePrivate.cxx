@@ -57,7 +57,7 @@ const Passage* FindLongest(const Passage* first, const Passage* last)
 Vector FindAxis(const Passage* first, const Passage* last, const Passage& longest)
 {
   Vector axis = ChordOf(longest);
-  for (int turn = 0; turn < NumberOfTurns; ++turn)
+  for (int turn = 0; turn < NumberOfTurns && last - first > 1; ++turn)
   {
     Vector sum = { 0.0, 0.0, 0.0 };
     for (const Passage* passage = first; passage != last; ++passage)

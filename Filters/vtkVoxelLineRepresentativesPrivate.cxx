@@ -9,6 +9,7 @@
 #include "vtkVoxelLineModel.h"
 
 #include <algorithm>
+#include <bitset>
 #include <new>
 #include <utility>
 
@@ -69,7 +70,7 @@ private:
   void AverageTable(const PassageTable& table, std::vector<Representative>& lines) const;
   void AverageCells(const PassageTable& table);
   void TakeLines(std::vector<std::vector<Representative>>& tasks);
-  std::uint64_t KeyOf(const Representative& line) const;
+  std::uint64_t KeyOf(const std::array<int, 3>& voxel) const;
   void SortLines();
   void ListBricks();
   Representative* FindLine(const std::array<int, 3>& voxel);
@@ -203,15 +204,15 @@ bool LevelMaker::CollectLines()
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t LevelMaker::KeyOf(const Representative& line) const
+std::uint64_t LevelMaker::KeyOf(const std::array<int, 3>& voxel) const
 {
   std::uint64_t cell = 0;
   std::uint64_t bit = 0;
   for (std::size_t axis = 3; axis-- > 0;)
   {
     cell = cell * static_cast<std::uint64_t>(this->Table.BrickDimensions[axis]) +
-      static_cast<std::uint64_t>(line.Voxel[axis] / BrickSize);
-    bit = bit * BrickSize + static_cast<std::uint64_t>(line.Voxel[axis] % BrickSize);
+      static_cast<std::uint64_t>(voxel[axis] / BrickSize);
+    bit = bit * BrickSize + static_cast<std::uint64_t>(voxel[axis] % BrickSize);
   }
   return cell << 6 | bit;
 }
@@ -227,7 +228,7 @@ void LevelMaker::SortLines()
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order(this->Table.Lines.size());
   for (std::size_t i = 0; i < order.size(); ++i)
   {
-    order[i] = { this->KeyOf(this->Table.Lines[i]), static_cast<std::uint32_t>(i) };
+    order[i] = { this->KeyOf(this->Table.Lines[i].Voxel), static_cast<std::uint32_t>(i) };
   }
   vtkSMPTools::Sort(order.begin(), order.end());
   std::vector<Representative> lines(this->Table.Lines.size());
@@ -251,7 +252,7 @@ void LevelMaker::ListBricks()
     -1);
   for (std::size_t i = 0; i < this->Table.Lines.size(); ++i)
   {
-    const std::uint64_t key = this->KeyOf(this->Table.Lines[i]);
+    const std::uint64_t key = this->KeyOf(this->Table.Lines[i].Voxel);
     const std::uint32_t cell = static_cast<std::uint32_t>(key >> 6);
     if (this->Table.Bricks.empty() || this->Table.Bricks.back().Cell != cell)
     {
@@ -266,8 +267,6 @@ void LevelMaker::ListBricks()
 //------------------------------------------------------------------------------
 Representative* LevelMaker::FindLine(const std::array<int, 3>& voxel)
 {
-  Representative here;
-  here.Voxel = voxel;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     if (voxel[axis] >= this->Table.Dimensions[axis])
@@ -275,19 +274,18 @@ Representative* LevelMaker::FindLine(const std::array<int, 3>& voxel)
       return nullptr;
     }
   }
-  const std::uint64_t key = this->KeyOf(here);
+  const std::uint64_t key = this->KeyOf(voxel);
   const std::int32_t brick = this->Table.BrickOfCell[key >> 6];
   if (brick < 0)
   {
     return nullptr;
   }
-  const std::size_t index = static_cast<std::size_t>(brick);
-  const auto first = this->Table.Lines.begin() + this->Table.Bricks[index].First;
-  const auto last = this->Table.Lines.begin() + this->Table.Bricks[index + 1].First;
-  const auto line = std::lower_bound(first, last, key,
-    [this](const Representative& other, std::uint64_t value)
-    { return this->KeyOf(other) < value; });
-  return line != last && line->Voxel == voxel ? &*line : nullptr;
+  // The lines of a brick are in the order of its mask bits.
+  const LevelTable::Brick& here = this->Table.Bricks[static_cast<std::size_t>(brick)];
+  const std::uint64_t bit = std::uint64_t(1) << (key & 63);
+  return (here.Mask & bit) != 0
+    ? &this->Table.Lines[here.First + std::bitset<64>(here.Mask & (bit - 1)).count()]
+    : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -212,6 +212,31 @@ void TestPairs(Checks& check)
   check(before.End == middle.Start && after.Start == middle.End, "crossing lines are connected");
 }
 
+/// The representative goes the way of the longest line, though its axis is made by others.
+void TestDirection(Checks& check)
+{
+  // Lines at -85 and at 80 degrees: both go along with the longest, at 0; together, those at 80
+  // turn round to -100, and the sum is at more than 90 degrees to the longest.
+  std::vector<Curve> curves(1, { { 2.02, 2.5, 2.5 }, { 2.98, 2.5, 2.5 } });
+  for (int i = 0; i < 39; ++i)
+  {
+    const double angle = (i < 20 ? -85.0 : 80.0) / 57.2957795;
+    const Point half = { 0.4 * std::cos(angle), 0.4 * std::sin(angle), 0.0 };
+    const Point middle = { 2.5, 2.5, 2.5 };
+    curves.push_back({ middle - half, middle + half });
+  }
+  for (const bool isReversed : { false, true })
+  {
+    vtkSmartPointer<vtkVoxelLineModel> model = MakeUnitModel(check, MakeLines(curves), 0);
+    const Segment segment =
+      FindSegment(check, DecodeModel(MakeLevel(check, model, 0)), { 2, 2, 2 });
+    const Point chord = (isReversed ? -1.0 : 1.0) * (segment.End - segment.Start);
+    check(
+      segment.Curve == 0 && chord[0] > 0.0 && chord[1] > 0.5, "the direction of the longest line");
+    std::reverse(curves[0].begin(), curves[0].end());
+  }
+}
+
 /// Two ends on one face meet in the bin of their mean.
 void TestJoin(Checks& check)
 {
@@ -264,12 +289,18 @@ void TestInside(Checks& check)
           std::pow(2.0, level) * bin,
       "a point");
   }
-  // Two opposite bows whose averages fall on each other: one of the lines stands for both.
-  model = MakeUnitModel(check,
-    MakeLines({ { { 2.1, 2.5, 2.5 }, { 2.9, 2.5, 2.5 } }, { { 2.5, 2.1, 2.5 }, { 2.5, 2.9, 2.5 } },
-      { { 2.9, 2.5, 2.5 }, { 2.1, 2.5, 2.5 } }, { { 2.5, 2.9, 2.5 }, { 2.5, 2.1, 2.5 } } }));
+  // Lines up and down cancel, as they are at right angles to the first; what is left of its length
+  // is less than a bin. It stands for all of them.
+  std::vector<Curve> cross(1, { { 2.1, 2.5, 2.5 }, { 2.9, 2.5, 2.5 } });
+  for (int i = 0; i < 10; ++i)
+  {
+    cross.push_back({ { 2.5, 2.1, 2.5 }, { 2.5, 2.9, 2.5 } });
+    cross.push_back({ { 2.5, 2.9, 2.5 }, { 2.5, 2.1, 2.5 } });
+  }
+  model = MakeUnitModel(check, MakeLines(cross));
   segment = FindSegment(check, DecodeModel(MakeLevel(check, model, 0)), { 2, 2, 2 });
-  check(Length(segment.End - segment.Start) > 0.3, "a cross inside a voxel is no point");
+  check(IsAlong(segment, { 2.1, 2.5, 2.5 }, { 2.9, 2.5, 2.5 }, bin) && segment.Curve == 0,
+    "an average that is a point gives way to the longest line");
 }
 
 /// A ring inside a voxel of a level, and a curve that comes back into a voxel.
@@ -529,6 +560,7 @@ int TestVoxelLineLevel(int, char*[])
   }
   TestBundles(check);
   TestPairs(check);
+  TestDirection(check);
   TestJoin(check);
   TestInside(check);
   TestReturns(check);
