@@ -12,6 +12,8 @@
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkLight.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLActor.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 
@@ -102,6 +104,21 @@ void CheckSphere(Checks& check, Pass pass)
   }
 }
 
+// An actor that does not tell that it draws in the translucent pass.
+class SilentActor : public vtkOpenGLActor
+{
+public:
+  static SilentActor* New();
+  vtkTypeMacro(SilentActor, vtkOpenGLActor);
+
+  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override
+  {
+    this->Render(vtkRenderer::SafeDownCast(viewport), this->Mapper);
+    return 1;
+  }
+};
+vtkStandardNewMacro(SilentActor);
+
 // Actors that are drawn in the opaque pass by wish, parts of an assembly and followers, which have
 // another actor draw, are not lost; but for the first ones, what is behind them and drawn later
 // shines through.
@@ -141,6 +158,19 @@ void CheckOtherActors(Checks& check)
   }
 
   Stage stage(Size, Size);
+  vtkNew<SilentActor> silent;
+  silent->SetMapper(MakeMapper(MakeRow(0.0), 0.5));
+  silent->GetProperty()->SetColor(1.0, 0.0, 0.0);
+  silent->GetProperty()->LightingOff();
+  stage.Renderer->AddActor(silent);
+  LookAlongZ(stage);
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    const auto pixel = stage.Render().At(Size / 2, Size / 2);
+    check(IsNear(pixel, expected, 2), "an actor that does not tell its pass" + Describe(pixel));
+  }
+  stage.Renderer->RemoveActor(silent);
+
   vtkNew<vtkFollower> follower;
   follower->SetMapper(MakeMapper(MakeRow(0.0), 0.5));
   follower->GetProperty()->SetColor(1.0, 0.0, 0.0);
