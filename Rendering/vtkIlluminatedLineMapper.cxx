@@ -7,13 +7,16 @@
 #include "vtkHardwareSelector.h"
 #include "vtkIlluminatedLineVertices.h"
 #include "vtkLineIllumination.h"
+#include "vtkLineMerging.h"
 #include "vtkLineSetsLighting.h"
 #include "vtkLineSetsLightingUniforms.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMergedLineBuffers.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLActor.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLHelper.h"
+#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObjectCache.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
@@ -34,11 +37,20 @@ constexpr const char* PowerAttribute = "linePowerMC";
 // What the light model's shader source asks for.
 constexpr const char* Declarations = "#define Real float\n"
                                      "#define LS_OUT(T) out T\n"
-                                     "#define LS_INOUT(T) inout T\n"
-                                     "in vec3 lineTangentVCVSOutput;\n";
+                                     "#define LS_INOUT(T) inout T\n";
 
-// The lit colour takes the place of the unlit one, which is the sum of the two.
-constexpr const char* LightImplementation =
+// Tells sources apart of which one belongs to opaque lines.
+constexpr const char* OpaqueMark = "// opaque\n";
+// Tells sources apart of which one is for the vertex shader.
+constexpr const char* FineMark = "// for each point\n";
+
+// VTK's shaders discard what is wholly transparent, which keeps depth tests from coming first, even
+// where nothing is transparent.
+constexpr const char* TransparencyTest = "if (gl_FragData[0].a <= 0.0)";
+
+// The lit colour takes the place of the unlit one, which is the sum of the two. Light is computed
+// for each pixel,
+constexpr const char* PixelLight =
   "  float lineTangentSize = length(lineTangentVCVSOutput);\n"
   "  vec3 lineTangent = lineTangentSize > 0.0 ? lineTangentVCVSOutput / lineTangentSize\n"
   "    : vec3(0.0);\n"
@@ -47,12 +59,54 @@ constexpr const char* LightImplementation =
   "  diffuseColor = vec3(0.0);\n"
   "  //VTK::Light::Impl\n";
 
+// or for each point and then interpolated.
+constexpr const char* PointLight =
+  "  float lineTangentSize = length(lineTangentVCVSOutput);\n"
+  "  lineLight(vertexVCVSOutput.xyz, lineTangentSize > 0.0 ? lineTangentVCVSOutput / "
+  "lineTangentSize\n"
+  "    : vec3(0.0), lineShines, linePower, lineDiffuseVSOutput, lineSpecularVSOutput);\n";
+constexpr const char* InterpolatedLight = "  ambientColor += diffuseColor * lineDiffuseVSOutput + "
+                                          "lineSpecularColor * lineSpecularVSOutput;\n"
+                                          "  diffuseColor = vec3(0.0);\n"
+                                          "  //VTK::Light::Impl\n";
+
+// Product of an actor's matrix and the camera's view, transposed as VTK keeps it for shaders; and
+// the camera's projection, alike.
+void GetMatrices(
+  vtkRenderer* renderer, vtkActor* actor, vtkMatrix4x4* dataToView, vtkMatrix4x4*& viewToDisplay)
+{
+  vtkMatrix4x4* dataToWorld;
+  vtkMatrix3x3* dataToWorldNormals;
+  static_cast<vtkOpenGLActor*>(actor)->GetKeyMatrices(dataToWorld, dataToWorldNormals);
+  vtkMatrix4x4* worldToView;
+  vtkMatrix3x3* worldToViewNormals;
+  vtkMatrix4x4* worldToDisplay;
+  static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera())
+    ->GetKeyMatrices(renderer, worldToView, worldToViewNormals, viewToDisplay, worldToDisplay);
+  vtkMatrix4x4::Multiply4x4(dataToWorld, worldToView, dataToView);
+}
+
 // Put code before what the superclass will put at a place of a shader.
 void InsertBefore(vtkShader* shader, const std::string& place, const std::string& code)
 {
   std::string source = shader->GetSource();
   vtkShaderProgram::Substitute(source, place, code + place, false);
   shader->SetSource(source);
+}
+
+// Declares a value that goes from the vertex shader to the fragment shader, and hands it through
+// the geometry shader, where there is one.
+void HandOn(
+  std::map<vtkShader::Type, vtkShader*>& shaders, const std::string& type, const std::string& name)
+{
+  const std::string before = type + " " + name + "VSOutput";
+  const std::string after = type + " " + name + "GSOutput";
+  InsertBefore(shaders[vtkShader::Vertex], "//VTK::Light::Dec", "out " + before + ";\n");
+  InsertBefore(shaders[vtkShader::Geometry], "//VTK::Light::Dec",
+    "in " + before + "[];\nout " + after + ";\n");
+  InsertBefore(shaders[vtkShader::Geometry], "//VTK::Light::Impl",
+    name + "GSOutput = " + name + "VSOutput[i];\n");
+  InsertBefore(shaders[vtkShader::Fragment], "//VTK::Light::Dec", "in " + before + ";\n");
 }
 }
 
@@ -65,10 +119,14 @@ public:
   vtkIlluminatedLineVertices Vertices;
   vtkLineSetsLighting Lighting;
   vtkLineSetsLightingUniforms Uniforms;
+  vtkMergedLineBuffers Merged;
 
   // Whether the lines being drawn are lit, by which shader source, and how VTK would light them.
   bool IsLit = false;
   std::string Source;
+  // Length in data units below which nothing is told apart, and whether all segments are shorter.
+  double MergeLength = 0.0;
+  bool IsFine = false;
   Complexity VTKComplexity = static_cast<Complexity>(0);
 
   // What has been said, so that it is said once.
@@ -121,6 +179,23 @@ void vtkIlluminatedLineMapper::SetSpecularPowerArrayName(const std::string& name
   if (this->SpecularPowerArrayName != name)
   {
     this->SpecularPowerArrayName = name;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIlluminatedLineMapper::SetMergeLength(double pixels)
+{
+  if (!std::isfinite(pixels) || pixels < 0.0)
+  {
+    vtkErrorMacro("MergeLength " << pixels
+                                 << " is not valid: it must be a finite number of pixels, 0"
+                                 << " or above. It stays " << this->MergeLength << ".");
+    return;
+  }
+  if (this->MergeLength != pixels)
+  {
+    this->MergeLength = pixels;
     this->Modified();
   }
 }
@@ -187,6 +262,67 @@ void vtkIlluminatedLineMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor*
 }
 
 //------------------------------------------------------------------------------
+void vtkIlluminatedLineMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkOpenGLHelper& lines = this->Primitives[PrimitiveLines];
+  vtkOpenGLIndexBufferObject* whole = lines.IBO;
+  this->Superclass::RenderPieceDraw(renderer, actor);
+  this->NumberOfDrawnSegments = static_cast<vtkIdType>(lines.IBO->IndexCount / 2);
+  lines.IBO = whole;
+}
+
+//------------------------------------------------------------------------------
+void vtkIlluminatedLineMapper::UpdateShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkInternals& internals = *this->Internals;
+  const bool isLines = &cellBO == &this->Primitives[PrimitiveLines];
+  if (isLines)
+  {
+    this->UpdateMergeLength(renderer, actor);
+  }
+  this->Superclass::UpdateShaders(cellBO, renderer, actor);
+  if (!isLines || internals.MergeLength <= 0.0 || !cellBO.Program)
+  {
+    return;
+  }
+  // Colours of cells, and whatever else passes may want, are found by the number of the segment.
+  const std::string source = cellBO.Program->GetFragmentShader()->GetSource();
+  if (source.find("gl_PrimitiveID") == std::string::npos)
+  {
+    // Until it is drawn: RenderPieceDraw() puts the whole buffer back.
+    vtkOpenGLIndexBufferObject* merged =
+      internals.Merged.Get(this->CurrentInput, internals.MergeLength, cellBO.IBO->IndexCount);
+    cellBO.IBO = merged ? merged : cellBO.IBO;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIlluminatedLineMapper::UpdateMergeLength(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkInternals& internals = *this->Internals;
+  internals.MergeLength = 0.0;
+  internals.IsFine = false;
+  if (this->MergeLength <= 0.0 || renderer->GetSelector() ||
+    actor->GetProperty()->GetRepresentation() == VTK_POINTS)
+  {
+    return;
+  }
+  vtkNew<vtkMatrix4x4> viewFromData;
+  vtkMatrix4x4* viewToDisplay;
+  GetMatrices(renderer, actor, viewFromData, viewToDisplay);
+  viewFromData->Transpose();
+  vtkNew<vtkMatrix4x4> clipFromView;
+  vtkMatrix4x4::Transpose(viewToDisplay, clipFromView);
+  int size[2];
+  renderer->GetTiledSize(&size[0], &size[1]);
+  internals.MergeLength = vtkLineMerging::GetLength(
+    this->MergeLength, this->CurrentInput->GetBounds(), viewFromData, clipFromView, size);
+  internals.IsFine = internals.MergeLength > 0.0 &&
+    internals.Merged.GetLongestSegment(this->CurrentInput) <= internals.MergeLength;
+}
+
+//------------------------------------------------------------------------------
 void vtkIlluminatedLineMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
 {
   this->Internals->Uniforms.Deactivate();
@@ -246,14 +382,17 @@ bool vtkIlluminatedLineMapper::GetNeedToRebuildShaders(
     internals.VTKComplexity = complexity;
     complexity = static_cast<vtkInternals::Complexity>(0);
     source = Declarations;
-    // A constant 0 lets compilers leave out all that computes highlights.
-    source += actor->GetProperty()->GetSpecular() > 0.0
-      ? "uniform vec3 lineSpecularColor;\n"
-      : "const vec3 lineSpecularColor = vec3(0.0);\n";
-    source += internals.Vertices.GetPowers()
-      ? "in float linePowerVSOutput;\n#define linePower linePowerVSOutput\n"
-      : "uniform float linePower;\n";
+    // A constant lets compilers leave out all that computes highlights.
+    const bool shines = actor->GetProperty()->GetSpecular() > 0.0;
+    source += std::string("const bool lineShines = ") + (shines ? "true" : "false") + ";\n";
+    source += internals.Vertices.GetPowers() ? "#define linePower linePowerVSOutput\n"
+                                             : "uniform float linePower;\n";
     source += vtkLineSetsLightingUniforms::GetSource(internals.Lighting);
+    source += internals.IsFine ? FineMark : "";
+    if (!actor->HasTranslucentPolygonalGeometry() && !actor->GetTexture())
+    {
+      source += OpaqueMark;
+    }
   }
   isNeeded |= source != internals.Source;
   internals.Source = source;
@@ -266,29 +405,49 @@ void vtkIlluminatedLineMapper::ReplaceShaderLight(
 {
   if (this->Internals->IsLit)
   {
-    std::string vertexDeclarations = "in vec3 lineTangentMC;\n"
-                                     "out vec3 lineTangentVCVSOutput;\n"
-                                     "uniform mat3 lineTangentMatrix;\n";
-    std::string vertexCode = "lineTangentVCVSOutput = lineTangentMatrix * lineTangentMC;\n";
-    std::string geometryDeclarations = "in vec3 lineTangentVCVSOutput[];\n"
-                                       "out vec3 lineTangentVCGSOutput;\n";
-    std::string geometryCode = "lineTangentVCGSOutput = lineTangentVCVSOutput[i];\n";
+    vtkShader* vertex = shaders[vtkShader::Vertex];
+    vtkShader* fragment = shaders[vtkShader::Fragment];
+    const bool isFine = this->Internals->Source.find(FineMark) != std::string::npos;
+    InsertBefore(vertex, "//VTK::Light::Dec",
+      "in vec3 lineTangentMC;\n"
+      "uniform mat3 lineTangentMatrix;\n");
+    InsertBefore(vertex, "//VTK::Light::Impl",
+      std::string(isFine ? "vec3 " : "") +
+        "lineTangentVCVSOutput = lineTangentMatrix * lineTangentMC;\n");
     if (this->Internals->Vertices.GetPowers())
     {
-      vertexDeclarations += "in float linePowerMC;\n"
-                            "out float linePowerVSOutput;\n"
-                            "uniform float linePowerElsewhere;\n";
-      vertexCode += "  linePowerVSOutput = linePowerMC < 0.0 ? linePowerElsewhere : linePowerMC;\n";
-      geometryDeclarations += "in float linePowerVSOutput[];\n"
-                              "out float linePowerGSOutput;\n";
-      geometryCode += "    linePowerGSOutput = linePowerVSOutput[i];\n";
+      InsertBefore(vertex, "//VTK::Light::Dec",
+        "in float linePowerMC;\n"
+        "uniform float linePowerElsewhere;\n");
+      InsertBefore(vertex, "//VTK::Light::Impl",
+        std::string(isFine ? "float " : "") +
+          "linePowerVSOutput = linePowerMC < 0.0 ? linePowerElsewhere : linePowerMC;\n");
     }
-    InsertBefore(shaders[vtkShader::Vertex], "//VTK::Light::Dec", vertexDeclarations);
-    InsertBefore(shaders[vtkShader::Vertex], "//VTK::Light::Impl", vertexCode);
-    InsertBefore(shaders[vtkShader::Geometry], "//VTK::Light::Dec", geometryDeclarations);
-    InsertBefore(shaders[vtkShader::Geometry], "//VTK::Light::Impl", geometryCode);
-    InsertBefore(shaders[vtkShader::Fragment], "//VTK::Light::Dec", this->Internals->Source + "\n");
-    InsertBefore(shaders[vtkShader::Fragment], "//VTK::Light::Impl", LightImplementation);
+    InsertBefore(fragment, "//VTK::Light::Dec", "uniform vec3 lineSpecularColor;\n");
+    if (isFine)
+    {
+      HandOn(shaders, "vec3", "lineDiffuse");
+      HandOn(shaders, "vec3", "lineSpecular");
+      InsertBefore(vertex, "//VTK::Light::Dec", this->Internals->Source);
+      InsertBefore(vertex, "//VTK::Light::Impl", PointLight);
+      InsertBefore(fragment, "//VTK::Light::Impl", InterpolatedLight);
+    }
+    else
+    {
+      HandOn(shaders, "vec3", "lineTangentVC");
+      if (this->Internals->Vertices.GetPowers())
+      {
+        HandOn(shaders, "float", "linePower");
+      }
+      InsertBefore(fragment, "//VTK::Light::Dec", this->Internals->Source);
+      InsertBefore(fragment, "//VTK::Light::Impl", PixelLight);
+    }
+    if (this->Internals->Source.find(OpaqueMark) != std::string::npos)
+    {
+      std::string source = fragment->GetSource();
+      vtkShaderProgram::Substitute(source, TransparencyTest, "if (false)");
+      fragment->SetSource(source);
+    }
   }
   this->Superclass::ReplaceShaderLight(shaders, renderer, actor);
 }
@@ -340,7 +499,10 @@ void vtkIlluminatedLineMapper::SetLightingShaderParameters(
   {
     specular[i] = static_cast<float>(property->GetSpecular() * property->GetSpecularColor()[i]);
   }
-  cellBO.Program->SetUniform3f("lineSpecularColor", specular);
+  if (cellBO.Program->IsUniformUsed("lineSpecularColor"))
+  {
+    cellBO.Program->SetUniform3f("lineSpecularColor", specular);
+  }
   cellBO.Program->SetUniformf(internals.Vertices.GetPowers() ? "linePowerElsewhere" : "linePower",
     internals.Lighting.SpecularPower);
 }
@@ -354,18 +516,9 @@ void vtkIlluminatedLineMapper::SetCameraShaderParameters(
   {
     return;
   }
-  // VTK keeps these matrices transposed, as shaders take them.
-  vtkMatrix4x4* dataToWorld;
-  vtkMatrix3x3* dataToWorldNormals;
-  static_cast<vtkOpenGLActor*>(actor)->GetKeyMatrices(dataToWorld, dataToWorldNormals);
-  vtkMatrix4x4* worldToView;
-  vtkMatrix3x3* worldToViewNormals;
-  vtkMatrix4x4* viewToDisplay;
-  vtkMatrix4x4* worldToDisplay;
-  static_cast<vtkOpenGLCamera*>(renderer->GetActiveCamera())
-    ->GetKeyMatrices(renderer, worldToView, worldToViewNormals, viewToDisplay, worldToDisplay);
   vtkNew<vtkMatrix4x4> dataToView;
-  vtkMatrix4x4::Multiply4x4(dataToWorld, worldToView, dataToView);
+  vtkMatrix4x4* viewToDisplay;
+  GetMatrices(renderer, actor, dataToView, viewToDisplay);
 
   // Tangents are directions along the line, not normals; their length does not matter.
   double largest = 0.0;
@@ -415,6 +568,7 @@ void vtkIlluminatedLineMapper::WarnOnce(std::string& last, const std::string& wa
 void vtkIlluminatedLineMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Uniforms.ReleaseGraphicsResources(window);
+  this->Internals->Merged.ReleaseGraphicsResources();
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -425,6 +579,7 @@ void vtkIlluminatedLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
   {
     this->SetTangentArrayName(other->TangentArrayName);
     this->SetSpecularPowerArrayName(other->SpecularPowerArrayName);
+    this->SetMergeLength(other->MergeLength);
     this->SetIllumination(other->GetIllumination());
   }
   if (auto* other = vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
@@ -445,6 +600,8 @@ void vtkIlluminatedLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TangentArrayName: " << this->TangentArrayName << "\n";
   os << indent << "SpecularPowerArrayName: " << this->SpecularPowerArrayName << "\n";
+  os << indent << "MergeLength: " << this->MergeLength << "\n";
+  os << indent << "NumberOfDrawnSegments: " << this->NumberOfDrawnSegments << "\n";
   os << indent << "Illumination:\n";
   this->Internals->Illumination->PrintSelf(os, indent.GetNextIndent());
 }

@@ -46,8 +46,10 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkRenderingLineSetsModule.h" // For export macro
 
+#include <map>    // For the shaders
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
+#include <vector> // For selected pixels
 
 class vtkLineIllumination;
 
@@ -90,6 +92,23 @@ public:
   vtkGetMacro(SpecularPowerArrayName, std::string);
   ///@}
 
+  ///@{
+  /**
+   * What happens along a line within so many pixels of the screen is not told apart: consecutive
+   * segments that are together no longer are drawn as one, unless that would move the line by more
+   * than an eighth of it, and where no segment is longer, light is computed for each point and
+   * interpolated, not for each pixel. Line sets often have many points to a pixel, and the time
+   * goes by the segment. Default 3: lines move by at most three eighths of a pixel. 0: every
+   * segment is drawn, as always where cells have colours or are selected, and lit for each pixel. A
+   * negative value, infinity or NaN is an error.
+   */
+  virtual void SetMergeLength(double pixels);
+  vtkGetMacro(MergeLength, double);
+  ///@}
+
+  /// Number of segments that were drawn in the last frame, after merging; 0 before the first one.
+  vtkGetMacro(NumberOfDrawnSegments, vtkIdType);
+
   /// Modification time of the mapper, its lookup table and its illumination.
   vtkMTimeType GetMTime() override;
 
@@ -101,6 +120,7 @@ public:
     vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop) override;
 
   void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -113,6 +133,7 @@ protected:
 
   void UpdateCameraShiftScale(vtkRenderer* renderer, vtkActor* actor) override;
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
+  void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
   bool GetNeedToRebuildShaders(
     vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderLight(
@@ -126,12 +147,15 @@ protected:
 
   std::string TangentArrayName;
   std::string SpecularPowerArrayName;
+  double MergeLength = 3.0;
+  vtkIdType NumberOfDrawnSegments = 0;
 
 private:
   vtkIlluminatedLineMapper(const vtkIlluminatedLineMapper&) = delete;
   void operator=(const vtkIlluminatedLineMapper&) = delete;
 
   void UpdateVertices();
+  void UpdateMergeLength(vtkRenderer* renderer, vtkActor* actor);
   bool AreLinesLit(vtkOpenGLHelper& lines, vtkRenderer* renderer, vtkActor* actor);
   void WarnOnce(std::string& last, const std::string& warning);
 

@@ -173,7 +173,8 @@ public:
    * The terms of a line across the view that is lit from the viewer: pi/4 for the diffuse one; for
    * the specular one Eq. 17 with the numerator Gamma((n+2)/2), which the paper misprints, for
    * Blinn, and Q_n(1) / sqrt(2) for Phong. 1 for MaximumReflection. Their inverses are the factors
-   * of StretchDynamicRange. With Phong, lines that run towards the viewer may exceed it, up to 1.
+   * of StretchDynamicRange, of which those of Blinn serve a lone headlight too. With Phong, lines
+   * that run towards the viewer may exceed 1 before they are clamped, by up to the factor.
    */
   static double GetDiffusePeak(int model);
   static double GetSpecularPeak(double power, int model, int reflection);

@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPThreadLocal.h"
 #include "vtkSMPThreadLocalObject.h"
 #include "vtkSMPTools.h"
 
@@ -130,6 +131,39 @@ std::vector<unsigned int> vtkLineMerging::GetIndices(vtkPolyData* data, double l
     indices.insert(indices.end(), part.begin(), part.end());
   }
   return indices;
+}
+
+//------------------------------------------------------------------------------
+double vtkLineMerging::GetLongestSegment(vtkPolyData* data)
+{
+  vtkCellArray* lines = data->GetLines();
+  vtkSMPThreadLocalObject<vtkIdList> idLists;
+  vtkSMPThreadLocal<double> longest(0.0);
+  vtkSMPTools::For(0, lines->GetNumberOfCells(), LinesPerBlock,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdList* ids = idLists.Local();
+      double& longest2 = longest.Local();
+      for (vtkIdType line = begin; line < end; ++line)
+      {
+        lines->GetCellAtId(line, ids);
+        double point[3];
+        double next[3];
+        for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+        {
+          data->GetPoints()->GetPoint(ids->GetId(i), next);
+          const double length2 = i > 0 ? vtkMath::Distance2BetweenPoints(point, next) : 0.0;
+          longest2 = std::isfinite(length2) ? std::max(longest2, length2) : longest2;
+          std::copy(next, next + 3, point);
+        }
+      }
+    });
+  double result = 0.0;
+  for (double length2 : longest)
+  {
+    result = std::max(result, std::sqrt(length2));
+  }
+  return result;
 }
 
 //------------------------------------------------------------------------------

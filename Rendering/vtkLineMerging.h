@@ -31,6 +31,9 @@ public:
    */
   static std::vector<unsigned int> GetIndices(vtkPolyData* data, double length);
 
+  /// Length of the longest segment, in data units; segments that are not finite do not count.
+  static double GetLongestSegment(vtkPolyData* data);
+
   /**
    * Length in data units that is nowhere longer than so many pixels on the screen, for what lies
    * within bounds (six numbers, data coordinates). Matrices act on columns: data to view

@@ -72,21 +72,31 @@ vec3 lightSurface(vec3 position, vec3 normal, vec3 ambient, vec3 diffuse, vec3 s
   return ambient + diffuse * diffuseSum + specular * specularSum;
 }
 
-// Colour of a point of a line with unit tangent (or a null vector), as lightSurface() else.
-vec3 lightLine(vec3 position, vec3 tangent, vec3 ambient, vec3 diffuse, vec3 specular, Real power)
+// Light that a point of a line with unit tangent (or a null vector) reflects, in view coordinates, by
+// its diffuse and, where it shines, its specular colour, both white.
+void lineLight(vec3 position, vec3 tangent, bool shines, Real power, LS_OUT(vec3) diffuse,
+  LS_OUT(vec3) specular)
 {
   vec3 viewer = viewerDirection(position);
-  vec3 diffuseSum = vec3(Real(0));
-  vec3 specularSum = vec3(Real(0));
-  bool shines = specular.x + specular.y + specular.z > Real(0);
+  diffuse = vec3(Real(0));
+  specular = vec3(Real(0));
   for (int i = 0; i < LightCount; ++i)
   {
     vec3 direction;
     Real arrival = lightArrival(i, position, direction);
     vec2 response = lineResponse(tangent, viewer, -direction,
       LightKind[i] == 3 && !HalfwayReflection, shines, power);
-    diffuseSum += LightColor[i] * (arrival * response.x);
-    specularSum += LightColor[i] * (arrival * response.y);
+    diffuse += LightColor[i] * (arrival * response.x);
+    specular += LightColor[i] * (arrival * response.y);
   }
-  return ambient + diffuse * diffuseSum + specular * specularSum;
+}
+
+// Colour of a point of a line, as lightSurface() else.
+vec3 lightLine(vec3 position, vec3 tangent, vec3 ambient, vec3 diffuse, vec3 specular, Real power)
+{
+  vec3 diffuseLight;
+  vec3 specularLight;
+  bool shines = specular.x + specular.y + specular.z > Real(0);
+  lineLight(position, tangent, shines, power, diffuseLight, specularLight);
+  return ambient + diffuse * diffuseLight + specular * specularLight;
 }

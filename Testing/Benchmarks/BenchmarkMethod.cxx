@@ -218,7 +218,14 @@ public:
     this->Actor->GetProperty()->SetLineWidth(static_cast<float>(input.LineWidth));
   }
 
-  void Describe(JsonObject& object) override { object.Add("segments", this->Segments); }
+  void Describe(JsonObject& object) override
+  {
+    object.Add("segments", this->Segments);
+    if (this->Illuminated)
+    {
+      object.Add("drawn", static_cast<long long>(this->Mapper->GetNumberOfDrawnSegments()));
+    }
+  }
 
 private:
   bool Illuminated;

@@ -74,6 +74,7 @@ public:
   double BuildMilliseconds = 0.0;
   double FirstFrameMilliseconds = 0.0;
   std::vector<double> FrameMilliseconds;
+  std::vector<double> ProcessorMilliseconds; ///< of all threads, per frame
 
 protected:
   /// Set up the actor with a mapper.

@@ -301,11 +301,13 @@ SCENE or --scene SCENE   )"
 --data DIR               folder of carotid.vti
 --help                   this text
 
-Keys: scene lines vertices method engine width height opacity radius frames median_ms min_ms max_ms
-build_ms first_frame_ms model_bytes gpu_bytes segments peels rmse ssim rmse_decoded ratio_tubes
+Keys: scene lines vertices method engine width height opacity radius frames median_ms min_ms max_ms cpu_ms
+build_ms first_frame_ms model_bytes gpu_bytes segments drawn peels rmse ssim rmse_decoded ratio_tubes
 ratio_peeling ratio_lines renderer vtk threads error. Keys that do not apply are left out. Times are wall clock
-times of a frame until OpenGL has finished; build_ms is the time to make the model or the tubes,
-first_frame_ms that of the first frame after it, with uploads and shaders. gpu_bytes of tubes is
+times of a frame until OpenGL has finished, but cpu_ms is the median of the processor time of all threads,
+which other programs disturb less; build_ms is the time to make the model or the tubes,
+first_frame_ms that of the first frame after it, with uploads and shaders. drawn is the number of
+segments that illuminated lines drew after merging. gpu_bytes of tubes is
 computed from the arrays that VTK uploads. rmse is in [0,1]. A ratio is the median time of tubes,
 peeling or lines over that of the method. The exit status is 0 if all went well, 1 if a method failed, which
 its object tells as "error", and 2 for a wrong command line.

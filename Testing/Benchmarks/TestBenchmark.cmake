@@ -41,7 +41,7 @@ run(2 "do not apply to files" lines.vtp --lines 10)
 run(1 "no file nothing.vtp" nothing.vtp)
 run(1 "cannot write" tornado --json /nowhere/at/all.json)
 
-set(small tornado --lines 40 --vertices 60 --size 160x120 --frames 2 --radius 0.004)
+set(small tornado --lines 40 --vertices 60 --size 160x120 --frames 2 --radius 0.02)
 
 # All methods, with the pictures judged: a line of JSON each, and the keys that apply.
 run(0 "" ${small} --opacity 0.5 --methods voxel,tubes,peeling,oit,line-tubes --engine native
@@ -52,7 +52,7 @@ list(LENGTH objects count)
 if (NOT count EQUAL 5)
   fail("${count} objects instead of 5")
 endif ()
-set(common scene lines vertices method width height opacity radius frames median_ms min_ms max_ms
+set(common scene lines vertices method width height opacity radius frames median_ms min_ms max_ms cpu_ms
   build_ms first_frame_ms segments rmse ssim ratio_tubes ratio_peeling renderer vtk threads)
 set(keys_voxel ${common} engine model_bytes gpu_bytes rmse_decoded)
 set(keys_tubes ${common} gpu_bytes)
