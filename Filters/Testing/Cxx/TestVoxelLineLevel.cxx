@@ -466,6 +466,28 @@ void TestBadInput(Checks& check)
       filter->GetOutput()->GetNumberOfSegments() == 1,
     "the last level");
 
+  // Stopped half-way, there is nothing; afterwards everything.
+  struct Stopper : vtkCommand
+  {
+    void Execute(vtkObject* caller, unsigned long, void*) override
+    {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+  };
+  vtkSmartPointer<Stopper> stopper;
+  stopper.TakeReference(new Stopper);
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stopper);
+  filter->SetLevel(1);
+  filter->Update();
+  check(
+    filter->GetOutput()->GetNumberOfSegments() == 0 && filter->GetOutput()->FindDefect().empty(),
+    "an aborted update");
+  filter->RemoveObserver(tag);
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  filter->Update();
+  check(filter->GetOutput()->GetNumberOfSegments() > 0, "an update after it");
+
   vtkNew<vtkVoxelLineModel> empty;
   filter->SetInputData(empty);
   filter->SetLevel(40);
@@ -507,6 +529,31 @@ std::vector<std::array<Point, 2>> EdgesOf(vtkPolyData* lines)
   }
   std::sort(edges.begin(), edges.end());
   return edges;
+}
+
+/// Stretches of one curve that do not hang together, and a ring among them, are all there.
+void TestStretches(Checks& check)
+{
+  Curve ring;
+  for (int i = 0; i <= 16; ++i)
+  {
+    const double angle = 2.0 * 3.14159265358979323846 * (i % 16 + 0.3) / 16;
+    ring.push_back({ 6.0 + std::cos(angle), 6.0 + std::sin(angle), 6.1 });
+  }
+  vtkSmartPointer<vtkVoxelLineModel> model = MakeUnitModel(check,
+    MakeLines({ { { 0.3, 0.5, 0.5 }, { 3.7, 0.6, 0.7 } }, ring,
+      { { 0.3, 4.5, 0.5 }, { 3.7, 7.6, 0.7 } } }));
+  vtkNew<vtkVoxelLineGeometry> geometry;
+  geometry->SetInputData(model);
+  geometry->Update();
+  const std::vector<std::array<Point, 2>> expected = EdgesOf(geometry->GetOutput());
+  // All three have bricks of their own; let them be of one curve.
+  model->GetBrickCurves()->Fill(0.0);
+  model->Modified();
+  geometry->Update();
+  check(
+    geometry->GetOutput()->GetNumberOfLines() == 3 && EdgesOf(geometry->GetOutput()) == expected,
+    "three stretches of a curve");
 }
 
 /// vtkVoxelLineGeometry gives the lines of a level.
@@ -567,6 +614,7 @@ int TestVoxelLineLevel(int, char*[])
   TestManyParts(check);
   TestValues(check);
   TestBadInput(check);
+  TestStretches(check);
   TestGeometry(check);
   return check.GetResult();
 }

@@ -221,6 +221,52 @@ void JoinMeans(std::map<Voxel, MeanLine>& means, int bins)
   }
 }
 
+/// The grid of bricks with its distances, and the bounds, from the segments.
+void CheckFrame(Checks& check, const std::string& name, vtkVoxelLineModel* model)
+{
+  double bounds[6] = { 1e30, -1e30, 1e30, -1e30, 1e30, -1e30 };
+  std::map<Voxel, vtkIdType> bricks;
+  for (const Segment& segment : DecodeModel(model))
+  {
+    bricks[{ segment.Voxel[0] / 4, segment.Voxel[1] / 4, segment.Voxel[2] / 4 }] = segment.Brick;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double low = std::min(segment.Start[axis], segment.End[axis]);
+      const double high = std::max(segment.Start[axis], segment.End[axis]);
+      bounds[2 * axis] = std::min(bounds[2 * axis], low);
+      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], high);
+    }
+  }
+  double error = 0.0;
+  for (int i = 0; i < 6; ++i)
+  {
+    error = std::max(error,
+      std::abs(
+        model->GetOrigin()[i / 2] + model->GetVoxelSize() * bounds[i] - model->GetBounds()[i]));
+  }
+  check(error < 1e-6, name + ": bounds");
+  int cells[3];
+  model->GetBrickDimensions(cells);
+  bool isRight = true;
+  for (vtkIdType i = 0; i < model->GetBrickGrid()->GetNumberOfTuples(); ++i)
+  {
+    const Voxel cell = { static_cast<int>(i % cells[0]), static_cast<int>(i / cells[0] % cells[1]),
+      static_cast<int>(i / cells[0] / cells[1]) };
+    const auto here = bricks.find(cell);
+    int nearest = 127;
+    for (const auto& brick : bricks)
+    {
+      nearest = std::min(nearest,
+        std::max({ std::abs(brick.first[0] - cell[0]), std::abs(brick.first[1] - cell[1]),
+          std::abs(brick.first[2] - cell[2]) }));
+    }
+    const double expected =
+      here != bricks.end() ? static_cast<double>(here->second) : -static_cast<double>(nearest);
+    isRight = isRight && model->GetBrickGrid()->GetComponent(i, 0) == expected;
+  }
+  check(isRight, name + ": grid of bricks");
+}
+
 /// Every level against the definition.
 void TestDefinition(Checks& check, int bins)
 {
@@ -239,6 +285,7 @@ void TestDefinition(Checks& check, int bins)
     }
     JoinMeans(means, bins);
     vtkSmartPointer<vtkVoxelLineModel> output = MakeLevel(check, model, level);
+    CheckFrame(check, name, output);
     const std::vector<Segment> segments = DecodeModel(output);
     check(segments.size() == means.size() + others.size(), name + ": occupied voxels");
     std::size_t right = 0;
