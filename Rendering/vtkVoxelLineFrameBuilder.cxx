@@ -287,8 +287,7 @@ std::string vtkVoxelLineFrameBuilder::SetView(
 }
 
 //------------------------------------------------------------------------------
-void vtkVoxelLineFrameBuilder::SetWidths(
-  vtkVoxelLineFrame& frame, const Grid& grid, double smallest, bool widen)
+void vtkVoxelLineFrameBuilder::SetWidths(vtkVoxelLineFrame& frame, double smallest, bool widen)
 {
   const float nearest = std::max(frame.NearestS, frame.BoxS.x);
   const float farthest = std::min(frame.FarthestS, frame.BoxS.y);
@@ -307,9 +306,9 @@ void vtkVoxelLineFrameBuilder::SetWidths(
       perVoxel += std::abs(frame.ViewFromLocal[i].z);
     }
     perVoxel *= std::abs(perS);
-    const double limit = LargestRadius * *std::max_element(grid.Dimensions, grid.Dimensions + 3);
-    const double radius = perVoxel < 1.0 ? largest / (1.0 - perVoxel) : limit;
-    frame.LargestRadius = std::max(frame.Radius, static_cast<float>(std::min(radius, limit)));
+    const double radius = perVoxel < 1.0 ? largest / (1.0 - perVoxel) : LargestWidening;
+    frame.LargestRadius =
+      std::max(frame.Radius, static_cast<float>(std::min(radius, LargestWidening)));
   }
 }
 

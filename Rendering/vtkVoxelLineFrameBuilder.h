@@ -31,6 +31,11 @@ public:
   /// single precision would lose the lines in them.
   static constexpr double LargestRadius = 4.0;
 
+  /// No tube is drawn with a larger radius than this for the sake of coverage, in voxels, so that
+  /// rays need not visit ever more voxels. Where half a pixel is larger, rays miss some tubes, and
+  /// those that they hit are less transparent by as much: the mean stays the same.
+  static constexpr double LargestWidening = 2.0;
+
   /// Where the grid of a model lies.
   struct Grid
   {
@@ -76,7 +81,7 @@ public:
    * smallest is the smallest radius above 0, in voxels. Without widen tubes have the width that
    * their radius gives, at whatever size.
    */
-  static void SetWidths(vtkVoxelLineFrame& frame, const Grid& grid, double smallest, bool widen);
+  static void SetWidths(vtkVoxelLineFrame& frame, double smallest, bool widen);
 
   /// World clipping planes (may be null) to grid-local half spaces.
   static void SetClippingPlanes(

@@ -200,7 +200,7 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
   vtkVoxelLineColoring::SetColors(frame, scene.Mapper, scene.Model);
   frame.Radius = static_cast<float>(grid.Margin);
   vtkVoxelLineFrameBuilder::SetWidths(
-    frame, grid, GetTubes(scene).SmallestRadius, scene.Mapper->GetSubPixelCoverage());
+    frame, GetTubes(scene).SmallestRadius, scene.Mapper->GetSubPixelCoverage());
   const double early = scene.Mapper->GetEarlyTermination();
   frame.EarlyTermination = early < 1.0 ? static_cast<float>(early) : NeverEarly;
 
@@ -355,7 +355,7 @@ std::string vtkVoxelLinePainter::DrawNumbers(const Scene& scene, vtkHardwareSele
     wanted.Frame, scene.Mapper->GetClippingPlanes(), view, grid);
   wanted.Frame.Radius = static_cast<float>(grid.Margin);
   vtkVoxelLineFrameBuilder::SetWidths(
-    wanted.Frame, grid, GetTubes(scene).SmallestRadius, scene.Mapper->GetSubPixelCoverage());
+    wanted.Frame, GetTubes(scene).SmallestRadius, scene.Mapper->GetSubPixelCoverage());
 
   // The selector draws the scene once per number; one picture serves for all.
   if (!this->LastPick.IsSame(wanted))

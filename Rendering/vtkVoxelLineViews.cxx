@@ -40,7 +40,7 @@ bool vtkVoxelLineViews::Look(const View& view, const Tubes& tubes)
   {
     return false;
   }
-  vtkVoxelLineFrameBuilder::SetWidths(frame, tubes.Grid, tubes.SmallestRadius, true);
+  vtkVoxelLineFrameBuilder::SetWidths(frame, tubes.SmallestRadius, true);
   return frame.ThinTubes;
 }
 

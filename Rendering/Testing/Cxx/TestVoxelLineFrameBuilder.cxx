@@ -135,8 +135,7 @@ void Measure(const Builder::View& view, const Builder::Grid& grid, const vtkVoxe
 }
 
 // Half a pixel at all distances of the grid, and what follows from it for the widths of tubes.
-void CheckWidths(
-  Checks& check, const std::string& name, vtkVoxelLineFrame frame, const Builder::Grid& grid)
+void CheckWidths(Checks& check, const std::string& name, vtkVoxelLineFrame frame)
 {
   const double ends[2] = { std::max(frame.NearestS, frame.BoxS.x),
     std::min(frame.FarthestS, frame.BoxS.y) };
@@ -153,12 +152,15 @@ void CheckWidths(
     check(std::abs(found / half - 1.0) < 1e-5, name + ": half a pixel");
     largest = std::max(largest, half);
   }
-  frame.Radius = 1.0f;
+  frame.Radius = 0.1f;
   const auto isAs = [&](double smallest, bool widen, bool narrow, bool thin)
   {
-    Builder::SetWidths(frame, grid, smallest, widen);
+    Builder::SetWidths(frame, smallest, widen);
+    // Tubes are widened as far as a pixel reaches, up to a limit.
+    const double most = Builder::LargestWidening;
     const bool limits = frame.ThinTubes
-      ? frame.LargestRadius >= std::max(largest, 1.0) && frame.LargestRadius < 1.1 * largest + 1.0
+      ? frame.LargestRadius >= 0.999 * std::min(std::max(largest, 0.1), most) &&
+        frame.LargestRadius <= std::min(1.1 * largest + 0.1, most)
       : frame.LargestRadius == frame.Radius;
     return frame.NarrowTubes == narrow && frame.ThinTubes == thin && limits;
   };
@@ -184,7 +186,7 @@ void CheckCase(Checks& check, const std::string& name, const std::function<void(
     vtkVoxelLineFrame frame;
     const std::string error = Builder::SetView(frame, *view, test.Grid);
     check(error.empty(), name + ": " + error);
-    CheckWidths(check, name, frame, test.Grid);
+    CheckWidths(check, name, frame);
     check(frame.Width == view->PictureSize[0] && frame.Height == view->PictureSize[1],
       name + ": size of the frame");
     double offset;
