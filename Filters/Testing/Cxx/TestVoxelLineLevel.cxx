@@ -407,6 +407,23 @@ void TestValues(Checks& check)
     }
   }
 
+  // Where there is nothing but NaN, the mean is NaN.
+  vtkSmartPointer<vtkPolyData> apart = MakeLines(
+    { { { 0.5, 2.3, 2.5 }, { 7.5, 2.3, 2.5 } }, { { 0.5, 6.3, 2.5 }, { 7.5, 6.3, 2.5 } } });
+  vtkNew<vtkDoubleArray> some;
+  for (const double value : { 0.0, 254.0, nan, nan })
+  {
+    some->InsertNextValue(value);
+  }
+  apart->GetPointData()->SetScalars(some);
+  vtkSmartPointer<vtkVoxelLineModel> output = MakeLevel(check, MakeUnitModel(check, apart), 1);
+  for (const Segment& segment : DecodeModel(output))
+  {
+    check(
+      (output->GetAttributes()->GetComponent(segment.Index, 0) == 255.0) == (segment.Voxel[1] == 3),
+      "NaN where all are NaN");
+  }
+
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName("Values");
   colors->SetNumberOfComponents(4);
@@ -418,7 +435,7 @@ void TestValues(Checks& check)
   }
   lines->GetPointData()->SetScalars(colors);
   model = MakeUnitModel(check, lines);
-  vtkSmartPointer<vtkVoxelLineModel> output = MakeLevel(check, model, 1);
+  output = MakeLevel(check, model, 1);
   const int expected[4] = { 50, 100, 40, 130 };
   for (vtkIdType i = 0; i < output->GetNumberOfSegments(); ++i)
   {
