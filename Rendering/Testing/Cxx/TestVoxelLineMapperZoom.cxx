@@ -183,17 +183,23 @@ void CheckZooms(Checks& check)
         (opacity < 1.0 ? ", transparent" : ", opaque");
       bundle.Actor->GetProperty()->SetOpacity(opacity);
       bundle.Mapper->SubPixelCoverageOn();
-      const Steadiness on = Zoom(bundle, GetWidths(opacity < 1.0 ? 7 : 15), parallel);
-      bundle.Mapper->SubPixelCoverageOff();
-      std::vector<double> thin = GetWidths(15);
-      thin.erase(thin.begin(), thin.begin() + 8);
-      const Steadiness off = Zoom(bundle, thin, parallel);
-      std::cout << name << ": with coverage " << on.Step << " per step, " << on.Range
-                << " over all; without " << off.Step << ", " << off.Range << std::endl;
+      // One sweep is fine and held against the other way; the others are coarser, for time.
+      const bool isFine = parallel && opacity == 1.0;
+      const Steadiness on = Zoom(bundle, GetWidths(isFine ? 15 : 7), parallel);
+      std::cout << name << ": with coverage " << on.Step << " per step, " << on.Range << " over all"
+                << std::endl;
       check(on.Step <= 0.02, name + ": light from step to step");
       check(on.Range <= 0.03, name + ": light over all");
-      // The measure tells: tubes that are lost between pixels, and found on them, do not pass it.
-      check(off.Step > 0.03, name + ": light without coverage");
+      if (isFine)
+      {
+        bundle.Mapper->SubPixelCoverageOff();
+        std::vector<double> thin = GetWidths(15);
+        thin.erase(thin.begin(), thin.begin() + 8);
+        const Steadiness off = Zoom(bundle, thin, parallel);
+        std::cout << name << ": without coverage " << off.Step << ", " << off.Range << std::endl;
+        // The measure tells: tubes that are lost between pixels, and found on them, do not pass it.
+        check(off.Step > 0.03, name + ": light without coverage");
+      }
     }
   }
 }
@@ -220,7 +226,7 @@ void CheckLineModels(Checks& check)
 // Both engines draw the same, from tubes with a surface to thin ones.
 void CheckShader(Checks& check)
 {
-  Bundle bundle(90);
+  Bundle bundle(60);
   for (const double width : { 2.5, 1.5, 0.6 })
   {
     for (const double opacity : { 1.0, 0.25 })
@@ -303,12 +309,12 @@ void CheckAgainstReference(Checks& check, int argc, char* argv[])
   constexpr int Factor = 8;
   char* directory =
     vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
-  Bundle bundle(100);
+  Bundle bundle(80);
   bundle.Mapper->SetEngineToNative();
   vtkVoxelLineModel* model = bundle.Mapper->GetModel();
   const linesets::CapsuleScene capsules = linesets::MakeCapsulesFromModel(model, TubeRadius);
   const std::vector<std::pair<std::string, double>> views = { { "wide view", 0.0 },
-    { "width 2", 2.0 }, { "width 1", 1.0 }, { "width 0.5", 0.5 } };
+    { "width 1", 1.0 }, { "width 0.5", 0.5 } };
   for (const auto& [view, width] : views)
   {
     bundle.SetWidth(width > 0.0 ? width : 1.0, true);
