@@ -294,7 +294,8 @@ SCENE or --scene SCENE   )"
                          by 2 degrees from frame to frame
 --threads N              of vtkSMPTools and of software OpenGL (default: all)
 --reference              also compare each picture of the first view with an exact one: keys rmse,
-                         ssim
+                         ssim. It has one ray per pixel, so that tubes thinner than a pixel, which
+                         voxel draws by what they cover, differ from it
 --reference-decoded      for voxel, also with an exact picture of the model: key rmse_decoded
 --json FILE              where the JSON goes (default: standard output)
 --image PREFIX           write the pictures of the first view as PREFIX-METHOD.png

@@ -6,12 +6,10 @@
 // maximum reflection, whose slopes to the left and to the right look alike. Right: cylinder
 // averaging, where the light's side is plain to see.
 
-#include "VoxelLineMapperTesting.h"
+#include "PictureTesting.h"
 #include "vtkIlluminatedLineMapper.h"
 #include "vtkLight.h"
 #include "vtkLineIllumination.h"
-#include "vtkRegressionTestImage.h"
-#include "vtkRenderWindowInteractor.h"
 
 using namespace VoxelLineMapperTesting;
 
@@ -124,13 +122,6 @@ int TestIlluminatedLineMapperSines(int argc, char* argv[])
   AddSines(right, 0.05, 0.95, 0.6, vtkLineIllumination::CylinderAveraging);
   AddSines(right, -0.95, -0.05, 0.0, vtkLineIllumination::CylinderAveraging);
   stage.Window->AddRenderer(right);
-  stage.Window->Render();
-  const int result = vtkRegressionTestImage(stage.Window);
-  if (result == vtkRegressionTester::DO_INTERACTOR)
-  {
-    vtkNew<vtkRenderWindowInteractor> interactor;
-    interactor->SetRenderWindow(stage.Window);
-    interactor->Start();
-  }
-  return check.GetResult() == EXIT_SUCCESS ? !result : EXIT_FAILURE;
+  const int result = FinishPicture(stage.Window, argc, argv);
+  return check.GetResult() == EXIT_SUCCESS ? result : EXIT_FAILURE;
 }
