@@ -5,6 +5,7 @@
 #include "vtkActor.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
+#include "vtkIlluminatedLineShader.h"
 #include "vtkIlluminatedLineVertices.h"
 #include "vtkLineIllumination.h"
 #include "vtkLineMerging.h"
@@ -24,6 +25,8 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,42 +36,6 @@ namespace
 // Vertex attributes, in data coordinates.
 constexpr const char* TangentAttribute = "lineTangentMC";
 constexpr const char* PowerAttribute = "linePowerMC";
-
-// What the light model's shader source asks for.
-constexpr const char* Declarations = "#define Real float\n"
-                                     "#define LS_OUT(T) out T\n"
-                                     "#define LS_INOUT(T) inout T\n";
-
-// Tells sources apart of which one belongs to opaque lines.
-constexpr const char* OpaqueMark = "// opaque\n";
-// Tells sources apart of which one is for the vertex shader.
-constexpr const char* FineMark = "// for each point\n";
-
-// VTK's shaders discard what is wholly transparent, which keeps depth tests from coming first, even
-// where nothing is transparent.
-constexpr const char* TransparencyTest = "if (gl_FragData[0].a <= 0.0)";
-
-// The lit colour takes the place of the unlit one, which is the sum of the two. Light is computed
-// for each pixel,
-constexpr const char* PixelLight =
-  "  float lineTangentSize = length(lineTangentVCVSOutput);\n"
-  "  vec3 lineTangent = lineTangentSize > 0.0 ? lineTangentVCVSOutput / lineTangentSize\n"
-  "    : vec3(0.0);\n"
-  "  ambientColor = lightLine(vertexVC.xyz, lineTangent, ambientColor, diffuseColor,\n"
-  "    lineSpecularColor, linePower);\n"
-  "  diffuseColor = vec3(0.0);\n"
-  "  //VTK::Light::Impl\n";
-
-// or for each point and then interpolated.
-constexpr const char* PointLight =
-  "  float lineTangentSize = length(lineTangentVCVSOutput);\n"
-  "  lineLight(vertexVCVSOutput.xyz, lineTangentSize > 0.0 ? lineTangentVCVSOutput / "
-  "lineTangentSize\n"
-  "    : vec3(0.0), lineShines, linePower, lineDiffuseVSOutput, lineSpecularVSOutput);\n";
-constexpr const char* InterpolatedLight = "  ambientColor += diffuseColor * lineDiffuseVSOutput + "
-                                          "lineSpecularColor * lineSpecularVSOutput;\n"
-                                          "  diffuseColor = vec3(0.0);\n"
-                                          "  //VTK::Light::Impl\n";
 
 // Product of an actor's matrix and the camera's view, transposed as VTK keeps it for shaders; and
 // the camera's projection, alike.
@@ -85,29 +52,6 @@ void GetMatrices(
     ->GetKeyMatrices(renderer, worldToView, worldToViewNormals, viewToDisplay, worldToDisplay);
   vtkMatrix4x4::Multiply4x4(dataToWorld, worldToView, dataToView);
 }
-
-// Put code before what the superclass will put at a place of a shader.
-void InsertBefore(vtkShader* shader, const std::string& place, const std::string& code)
-{
-  std::string source = shader->GetSource();
-  vtkShaderProgram::Substitute(source, place, code + place, false);
-  shader->SetSource(source);
-}
-
-// Declares a value that goes from the vertex shader to the fragment shader, and hands it through
-// the geometry shader, where there is one.
-void HandOn(
-  std::map<vtkShader::Type, vtkShader*>& shaders, const std::string& type, const std::string& name)
-{
-  const std::string before = type + " " + name + "VSOutput";
-  const std::string after = type + " " + name + "GSOutput";
-  InsertBefore(shaders[vtkShader::Vertex], "//VTK::Light::Dec", "out " + before + ";\n");
-  InsertBefore(shaders[vtkShader::Geometry], "//VTK::Light::Dec",
-    "in " + before + "[];\nout " + after + ";\n");
-  InsertBefore(shaders[vtkShader::Geometry], "//VTK::Light::Impl",
-    name + "GSOutput = " + name + "VSOutput[i];\n");
-  InsertBefore(shaders[vtkShader::Fragment], "//VTK::Light::Dec", "in " + before + ";\n");
-}
 }
 
 class vtkIlluminatedLineMapper::vtkInternals
@@ -120,10 +64,26 @@ public:
   vtkLineSetsLighting Lighting;
   vtkLineSetsLightingUniforms Uniforms;
   vtkMergedLineBuffers Merged;
+  // In whose context these buffers are.
+  vtkWeakPointer<vtkOpenGLRenderWindow> MergedWindow;
 
-  // Whether the lines being drawn are lit, by which shader source, and how VTK would light them.
+  // The window lets go what it holds before it ends, but not where the mapper ends before: then
+  // another context may be the current one.
+  ~vtkInternals()
+  {
+    if (this->MergedWindow)
+    {
+      this->MergedWindow->PushContext();
+      this->Merged.ReleaseGraphicsResources();
+      this->MergedWindow->PopContext();
+    }
+  }
+
+  // Whether the lines being drawn are lit, by which shader (no key: none), and how VTK would light
+  // them.
   bool IsLit = false;
-  std::string Source;
+  vtkIlluminatedLineShader Shader;
+  std::string ShaderKey;
   // Length in data units below which nothing is told apart, and whether all segments are shorter.
   double MergeLength = 0.0;
   bool IsFine = false;
@@ -132,6 +92,8 @@ public:
   // What has been said, so that it is said once.
   std::vector<std::string> VertexWarnings;
   std::string LightWarning;
+  std::string PowerWarning;
+  bool HasBadPower = false;
   bool HasFailed = false;
 };
 
@@ -262,12 +224,26 @@ void vtkIlluminatedLineMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor*
 }
 
 //------------------------------------------------------------------------------
+void vtkIlluminatedLineMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  // What a selection draws does not count.
+  if (!renderer->GetSelector())
+  {
+    this->NumberOfDrawnSegments = 0;
+  }
+  this->Superclass::RenderPiece(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
 void vtkIlluminatedLineMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkOpenGLHelper& lines = this->Primitives[PrimitiveLines];
   vtkOpenGLIndexBufferObject* whole = lines.IBO;
   this->Superclass::RenderPieceDraw(renderer, actor);
-  this->NumberOfDrawnSegments = static_cast<vtkIdType>(lines.IBO->IndexCount / 2);
+  if (!renderer->GetSelector() && actor->GetProperty()->GetRepresentation() != VTK_POINTS)
+  {
+    this->NumberOfDrawnSegments = static_cast<vtkIdType>(lines.IBO->IndexCount / 2);
+  }
   lines.IBO = whole;
 }
 
@@ -282,7 +258,7 @@ void vtkIlluminatedLineMapper::UpdateShaders(
     this->UpdateMergeLength(renderer, actor);
   }
   this->Superclass::UpdateShaders(cellBO, renderer, actor);
-  if (!isLines || internals.MergeLength <= 0.0 || !cellBO.Program)
+  if (!isLines || !internals.IsLit || internals.MergeLength <= 0.0 || !cellBO.Program)
   {
     return;
   }
@@ -290,6 +266,7 @@ void vtkIlluminatedLineMapper::UpdateShaders(
   const std::string source = cellBO.Program->GetFragmentShader()->GetSource();
   if (source.find("gl_PrimitiveID") == std::string::npos)
   {
+    internals.MergedWindow = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
     // Until it is drawn: RenderPieceDraw() puts the whole buffer back.
     vtkOpenGLIndexBufferObject* merged =
       internals.Merged.Get(this->CurrentInput, internals.MergeLength, cellBO.IBO->IndexCount);
@@ -352,6 +329,18 @@ bool vtkIlluminatedLineMapper::AreLinesLit(
 }
 
 //------------------------------------------------------------------------------
+bool vtkIlluminatedLineMapper::IsOpaqueEverywhere(vtkActor* actor)
+{
+  // Not by the actor, who may be made to pass for opaque; textures and code of users may have any
+  // opacity.
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  return actor->GetProperty()->GetOpacity() >= 1.0 && !this->HasTranslucentPolygonalGeometry() &&
+    !actor->GetTexture() && actor->GetProperty()->GetNumberOfTextures() == 0 &&
+    shaders->GetNumberOfShaderReplacements() == 0 && !shaders->HasVertexShaderCode() &&
+    !shaders->HasFragmentShaderCode() && !shaders->HasGeometryShaderCode();
+}
+
+//------------------------------------------------------------------------------
 bool vtkIlluminatedLineMapper::GetNeedToRebuildShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
 {
@@ -364,38 +353,33 @@ bool vtkIlluminatedLineMapper::GetNeedToRebuildShaders(
   // The superclass lights lines by normals, where there are some. Between its decision and the next
   // one it is made to take them for unlit, so that the light of this class meets no other.
   auto& complexity = this->PrimitiveInfo[&cellBO].LastLightComplexity;
-  if (!internals.Source.empty())
+  if (!internals.ShaderKey.empty())
   {
     complexity = internals.VTKComplexity;
   }
   bool isNeeded = this->Superclass::GetNeedToRebuildShaders(cellBO, renderer, actor);
   internals.IsLit = this->AreLinesLit(cellBO, renderer, actor);
-  std::string source;
   if (internals.IsLit)
   {
     internals.Lighting.SetRenderer(renderer);
-    internals.Lighting.SetModel(internals.Illumination, actor->GetProperty());
+    internals.HasBadPower =
+      !internals.Lighting.SetModel(internals.Illumination, actor->GetProperty());
     internals.IsLit = !internals.Lighting.Lights.empty();
   }
+  std::string key;
   if (internals.IsLit)
   {
     internals.VTKComplexity = complexity;
     complexity = static_cast<vtkInternals::Complexity>(0);
-    source = Declarations;
-    // A constant lets compilers leave out all that computes highlights.
-    const bool shines = actor->GetProperty()->GetSpecular() > 0.0;
-    source += std::string("const bool lineShines = ") + (shines ? "true" : "false") + ";\n";
-    source += internals.Vertices.GetPowers() ? "#define linePower linePowerVSOutput\n"
-                                             : "uniform float linePower;\n";
-    source += vtkLineSetsLightingUniforms::GetSource(internals.Lighting);
-    source += internals.IsFine ? FineMark : "";
-    if (!actor->HasTranslucentPolygonalGeometry() && !actor->GetTexture())
-    {
-      source += OpaqueMark;
-    }
+    internals.Shader.Shines = actor->GetProperty()->GetSpecular() > 0.0;
+    internals.Shader.HasPowers = internals.Vertices.GetPowers() != nullptr;
+    internals.Shader.IsFine = internals.IsFine;
+    internals.Shader.IsOpaque = this->IsOpaqueEverywhere(actor);
+    internals.Shader.Lighting = vtkLineSetsLightingUniforms::GetSource(internals.Lighting);
+    key = internals.Shader.GetKey();
   }
-  isNeeded |= source != internals.Source;
-  internals.Source = source;
+  isNeeded |= key != internals.ShaderKey;
+  internals.ShaderKey = key;
   return isNeeded;
 }
 
@@ -405,49 +389,7 @@ void vtkIlluminatedLineMapper::ReplaceShaderLight(
 {
   if (this->Internals->IsLit)
   {
-    vtkShader* vertex = shaders[vtkShader::Vertex];
-    vtkShader* fragment = shaders[vtkShader::Fragment];
-    const bool isFine = this->Internals->Source.find(FineMark) != std::string::npos;
-    InsertBefore(vertex, "//VTK::Light::Dec",
-      "in vec3 lineTangentMC;\n"
-      "uniform mat3 lineTangentMatrix;\n");
-    InsertBefore(vertex, "//VTK::Light::Impl",
-      std::string(isFine ? "vec3 " : "") +
-        "lineTangentVCVSOutput = lineTangentMatrix * lineTangentMC;\n");
-    if (this->Internals->Vertices.GetPowers())
-    {
-      InsertBefore(vertex, "//VTK::Light::Dec",
-        "in float linePowerMC;\n"
-        "uniform float linePowerElsewhere;\n");
-      InsertBefore(vertex, "//VTK::Light::Impl",
-        std::string(isFine ? "float " : "") +
-          "linePowerVSOutput = linePowerMC < 0.0 ? linePowerElsewhere : linePowerMC;\n");
-    }
-    InsertBefore(fragment, "//VTK::Light::Dec", "uniform vec3 lineSpecularColor;\n");
-    if (isFine)
-    {
-      HandOn(shaders, "vec3", "lineDiffuse");
-      HandOn(shaders, "vec3", "lineSpecular");
-      InsertBefore(vertex, "//VTK::Light::Dec", this->Internals->Source);
-      InsertBefore(vertex, "//VTK::Light::Impl", PointLight);
-      InsertBefore(fragment, "//VTK::Light::Impl", InterpolatedLight);
-    }
-    else
-    {
-      HandOn(shaders, "vec3", "lineTangentVC");
-      if (this->Internals->Vertices.GetPowers())
-      {
-        HandOn(shaders, "float", "linePower");
-      }
-      InsertBefore(fragment, "//VTK::Light::Dec", this->Internals->Source);
-      InsertBefore(fragment, "//VTK::Light::Impl", PixelLight);
-    }
-    if (this->Internals->Source.find(OpaqueMark) != std::string::npos)
-    {
-      std::string source = fragment->GetSource();
-      vtkShaderProgram::Substitute(source, TransparencyTest, "if (false)");
-      fragment->SetSource(source);
-    }
+    this->Internals->Shader.Insert(shaders);
   }
   this->Superclass::ReplaceShaderLight(shaders, renderer, actor);
 }
@@ -493,11 +435,17 @@ void vtkIlluminatedLineMapper::SetLightingShaderParameters(
         std::to_string(most) + ": the last " + std::to_string(lights - most) + " are left out."
                   : std::string());
 
+  this->WarnOnce(internals.PowerWarning,
+    internals.HasBadPower ? "The property's SpecularPower is not a number from 0 on; 1 is taken."
+                          : std::string());
+
   vtkProperty* property = actor->GetProperty();
   float specular[3];
   for (int i = 0; i < 3; ++i)
   {
-    specular[i] = static_cast<float>(property->GetSpecular() * property->GetSpecularColor()[i]);
+    specular[i] = isActive
+      ? static_cast<float>(property->GetSpecular() * property->GetSpecularColor()[i])
+      : 0.0f;
   }
   if (cellBO.Program->IsUniformUsed("lineSpecularColor"))
   {
@@ -569,6 +517,7 @@ void vtkIlluminatedLineMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Uniforms.ReleaseGraphicsResources(window);
   this->Internals->Merged.ReleaseGraphicsResources();
+  this->Internals->MergedWindow = nullptr;
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

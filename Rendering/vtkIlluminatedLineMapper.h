@@ -35,7 +35,9 @@
  * them. Tangents are computed when the input changed, not for camera, lights or property.
  *
  * <b>Bad input</b> costs nothing but itself, and warnings tell it once: lines without extent are
- * lit as if they lay across view and light, points that are not finite part their line.
+ * lit as if they lay across view and light, points that are not finite part their line, an exponent
+ * of vtkProperty that is not a number is taken for 1. Ids of points that do not exist are told, but
+ * what is drawn then is as undefined as with vtkPolyDataMapper.
  *
  * @sa vtkLineIllumination vtkVoxelLineMapper vtkPolyDataMapper
  */
@@ -94,19 +96,21 @@ public:
 
   ///@{
   /**
-   * What happens along a line within so many pixels of the screen is not told apart: consecutive
-   * segments that are together no longer are drawn as one, unless that would move the line by more
-   * than an eighth of it, and where no segment is longer, light is computed for each point and
-   * interpolated, not for each pixel. Line sets often have many points to a pixel, and the time
-   * goes by the segment. Default 3: lines move by at most three eighths of a pixel. 0: every
-   * segment is drawn, as always where cells have colours or are selected, and lit for each pixel. A
-   * negative value, infinity or NaN is an error.
+   * What happens along a lit line within so many pixels of the screen is not told apart:
+   * consecutive segments that are together no longer are drawn as one, unless that would move the
+   * line by more than an eighth of it, and where no segment is longer, light is computed for each
+   * point and interpolated, not for each pixel. Colours of the points in between do not count then.
+   * Line sets often have many points to a pixel, and the time goes by the segment. Default 3: lines
+   * move by at most three eighths of a pixel. 0: every segment is drawn, as always where cells have
+   * colours, are selected, or lines are not lit, and is lit for each pixel. A negative value,
+   * infinity or NaN is an error.
    */
   virtual void SetMergeLength(double pixels);
   vtkGetMacro(MergeLength, double);
   ///@}
 
-  /// Number of segments that were drawn in the last frame, after merging; 0 before the first one.
+  /// Number of segments that were drawn in the last frame, after merging; 0 before the first one
+  /// and where lines were drawn as points. Frames of selections do not count.
   vtkGetMacro(NumberOfDrawnSegments, vtkIdType);
 
   /// Modification time of the mapper, its lookup table and its illumination.
@@ -119,6 +123,7 @@ public:
   void ProcessSelectorPixelBuffers(
     vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop) override;
 
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
@@ -155,6 +160,7 @@ private:
   void operator=(const vtkIlluminatedLineMapper&) = delete;
 
   void UpdateVertices();
+  bool IsOpaqueEverywhere(vtkActor* actor);
   void UpdateMergeLength(vtkRenderer* renderer, vtkActor* actor);
   bool AreLinesLit(vtkOpenGLHelper& lines, vtkRenderer* renderer, vtkActor* actor);
   void WarnOnce(std::string& last, const std::string& warning);

@@ -177,9 +177,9 @@ void vtkLineIllumination::SetEvaluation(int evaluation)
 //------------------------------------------------------------------------------
 void vtkLineIllumination::SetTableTolerance(double tolerance)
 {
-  if (!(tolerance >= 1e-5 && tolerance <= 0.1))
+  if (!(tolerance >= 1e-4 && tolerance <= 0.1))
   {
-    vtkErrorMacro("TableTolerance " << tolerance << " is not valid: it must be from 0.00001 to 0.1."
+    vtkErrorMacro("TableTolerance " << tolerance << " is not valid: it must be from 0.0001 to 0.1."
                                     << " It stays " << this->TableTolerance << ".");
     return;
   }

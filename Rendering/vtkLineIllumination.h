@@ -112,9 +112,10 @@ public:
 
   ///@{
   /**
-   * Largest error of the table, 1e-5 to 0.1, from which its size follows. Default 1/4096: the
-   * specular term is then right to less than 1/1024. Shared by all who use the same value. A value
-   * out of range is an error.
+   * Largest error of the table, measured in the middle of its edges and cells, 1e-4 to 0.1, from
+   * which its size follows. Default 1/4096: the specular term is then right to less than 1/1024,
+   * and the table is made in about 25 ms, at 1e-4 in about 100 ms. Shared by all who use the same
+   * value. A value out of range is an error.
    */
   virtual void SetTableTolerance(double tolerance);
   vtkGetMacro(TableTolerance, double);
@@ -135,7 +136,8 @@ public:
   ///@{
   /**
    * Exponent n of the specular term, 0 to 1000, or below 0 for vtkProperty's SpecularPower, which
-   * ends at 128. Default -1. NaN and values above 1000 are errors.
+   * ends at 128. Default -1. NaN and values above 1000 are errors. A NaN of vtkProperty is
+   * taken for 1, and mappers warn.
    */
   virtual void SetSpecularPower(double power);
   vtkGetMacro(SpecularPower, double);

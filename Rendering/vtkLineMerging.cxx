@@ -23,6 +23,19 @@ constexpr vtkIdType LinesPerBlock = 256;
 // Part of the length by which a piece may deviate from its line.
 constexpr double LargestDeviation = 0.125;
 
+/// Where a point is; NaN where there is no such point.
+void GetPosition(vtkPoints* points, vtkIdType id, double position[3])
+{
+  if (id >= 0 && id < points->GetNumberOfPoints())
+  {
+    points->GetPoint(id, position);
+  }
+  else
+  {
+    std::fill(position, position + 3, vtkMath::Nan());
+  }
+}
+
 /// Grows pieces along one line after the other.
 class Merger
 {
@@ -43,7 +56,7 @@ public:
     for (vtkIdType i = 1; i < size; ++i)
     {
       double point[3];
-      this->Points->GetPoint(ids[i], point);
+      GetPosition(this->Points, ids[i], point);
       const double step = std::sqrt(vtkMath::Distance2BetweenPoints(this->End, point));
       if (this->IsGrowing && !this->Fits(point, step))
       {
@@ -61,7 +74,7 @@ private:
   void Begin(vtkIdType id)
   {
     this->First = this->Last = id;
-    this->Points->GetPoint(id, this->Start);
+    GetPosition(this->Points, id, this->Start);
     std::copy(this->Start, this->Start + 3, this->End);
     this->Arc = 0.0;
     this->IsGrowing = false;
@@ -151,7 +164,7 @@ double vtkLineMerging::GetLongestSegment(vtkPolyData* data)
         double next[3];
         for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
         {
-          data->GetPoints()->GetPoint(ids->GetId(i), next);
+          GetPosition(data->GetPoints(), ids->GetId(i), next);
           const double length2 = i > 0 ? vtkMath::Distance2BetweenPoints(point, next) : 0.0;
           longest2 = std::isfinite(length2) ? std::max(longest2, length2) : longest2;
           std::copy(next, next + 3, point);
@@ -170,16 +183,22 @@ double vtkLineMerging::GetLongestSegment(vtkPolyData* data)
 double vtkLineMerging::GetLength(double pixels, const double bounds[6], vtkMatrix4x4* viewFromData,
   vtkMatrix4x4* clipFromView, const int viewportSize[2])
 {
-  // Pixels per unit of view coordinates grow as the homogeneous coordinate w falls.
+  // Pixels per unit of view coordinates grow as the homogeneous coordinate w falls; and off the
+  // axis, as what moves in depth moves sideways, too.
   double smallestW = VTK_DOUBLE_MAX;
+  double largestSlope2 = 0.0;
   for (int corner = 0; corner < 8; ++corner)
   {
-    double point[4] = { bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
+    double view[4] = { bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)],
       bounds[4 + ((corner >> 2) & 1)], 1.0 };
-    viewFromData->MultiplyPoint(point, point);
-    clipFromView->MultiplyPoint(point, point);
-    smallestW = std::min(smallestW, point[3]);
+    double clip[4];
+    viewFromData->MultiplyPoint(view, view);
+    clipFromView->MultiplyPoint(view, clip);
+    smallestW = std::min(smallestW, clip[3]);
+    largestSlope2 =
+      std::max(largestSlope2, (view[0] * view[0] + view[1] * view[1]) / (view[2] * view[2]));
   }
+  const bool isPerspective = clipFromView->GetElement(3, 2) != 0.0;
   double linear[3][3];
   for (int i = 0; i < 9; ++i)
   {
@@ -194,7 +213,8 @@ double vtkLineMerging::GetLength(double pixels, const double bounds[6], vtkMatri
   {
     largestStretch = std::max(largestStretch, std::abs(s));
   }
-  const double pixelsPerUnit = largestStretch * 0.5 *
+  const double pixelsPerUnit = (isPerspective ? std::sqrt(1.0 + largestSlope2) : 1.0) *
+    largestStretch * 0.5 *
     std::max(std::abs(clipFromView->GetElement(0, 0)) * viewportSize[0],
       std::abs(clipFromView->GetElement(1, 1)) * viewportSize[1]);
   const double length = pixels * smallestW / pixelsPerUnit;

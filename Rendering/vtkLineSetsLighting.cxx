@@ -80,7 +80,10 @@ void vtkLineSetsLighting::SetRenderer(vtkRenderer* renderer)
       loneHeadlight = light->LightTypeIsHeadlight() && !light->GetPositional();
     }
   }
-  if (this->Lights.size() == 1 && loneHeadlight)
+  // VTK has a word in that, too: a light that is off may count for it. Before its first frame it
+  // has none.
+  const bool isSimple = !glRenderer || glRenderer->GetLightingComplexity() <= 1;
+  if (this->Lights.size() == 1 && loneHeadlight && isSimple)
   {
     this->Lights[0].Kind = 3;
     this->Lights[0].Direction = glm::vec3(0.0f, 0.0f, -1.0f);
@@ -88,16 +91,20 @@ void vtkLineSetsLighting::SetRenderer(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void vtkLineSetsLighting::SetModel(vtkLineIllumination* illumination, vtkProperty* property)
+bool vtkLineSetsLighting::SetModel(vtkLineIllumination* illumination, vtkProperty* property)
 {
   this->Model = illumination->GetModel();
   this->Reflection = illumination->GetReflection();
   this->StretchDynamicRange = illumination->GetStretchDynamicRange();
-  const double power = illumination->GetSpecularPower();
-  this->SpecularPower = static_cast<float>(power >= 0.0 ? power : property->GetSpecularPower());
+  double power = illumination->GetSpecularPower();
+  power = power >= 0.0 ? power : property->GetSpecularPower();
+  // vtkProperty keeps its exponent within bounds, but not from being NaN.
+  const bool isValid = std::isfinite(power) && power >= 0.0;
+  this->SpecularPower = static_cast<float>(isValid ? power : 1.0);
   this->Table = illumination->GetEvaluation() == vtkLineIllumination::Tables
     ? vtkLineIlluminationTable::Get(illumination->GetTableTolerance())
     : nullptr;
+  return isValid;
 }
 
 //------------------------------------------------------------------------------

@@ -61,8 +61,9 @@ struct VTKRENDERINGLINESETS_EXPORT vtkLineSetsLighting
   /// Take the lights of a renderer that are switched on, and its camera's kind of projection.
   void SetRenderer(vtkRenderer* renderer);
 
-  /// Take the light model, and the exponent from it or else from the property.
-  void SetModel(vtkLineIllumination* illumination, vtkProperty* property);
+  /// Take the light model, and the exponent from it or else from the property. Returns false where
+  /// that is negative or not finite: then it is 1.
+  bool SetModel(vtkLineIllumination* illumination, vtkProperty* property);
 
   bool operator==(const vtkLineSetsLighting& other) const;
 };

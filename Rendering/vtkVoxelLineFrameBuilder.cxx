@@ -287,7 +287,18 @@ std::string vtkVoxelLineFrameBuilder::SetView(
 }
 
 //------------------------------------------------------------------------------
-void vtkVoxelLineFrameBuilder::SetWidths(vtkVoxelLineFrame& frame, double smallest, bool widen)
+double vtkVoxelLineFrameBuilder::GetLargestWidening(const Grid& grid, double segments)
+{
+  int sides[3];
+  std::copy(grid.Dimensions, grid.Dimensions + 3, sides);
+  std::sort(sides, sides + 3);
+  const double section = static_cast<double>(sides[1]) * sides[2];
+  return std::max(2.0, 0.5 * std::sqrt(4096.0 * section / std::max(segments, 1.0)));
+}
+
+//------------------------------------------------------------------------------
+bool vtkVoxelLineFrameBuilder::SetWidths(
+  vtkVoxelLineFrame& frame, double smallest, bool widen, double limit)
 {
   const float nearest = std::max(frame.NearestS, frame.BoxS.x);
   const float farthest = std::min(frame.FarthestS, frame.BoxS.y);
@@ -306,10 +317,11 @@ void vtkVoxelLineFrameBuilder::SetWidths(vtkVoxelLineFrame& frame, double smalle
       perVoxel += std::abs(frame.ViewFromLocal[i].z);
     }
     perVoxel *= std::abs(perS);
-    const double radius = perVoxel < 1.0 ? largest / (1.0 - perVoxel) : LargestWidening;
-    frame.LargestRadius =
-      std::max(frame.Radius, static_cast<float>(std::min(radius, LargestWidening)));
+    const double radius = perVoxel < 1.0 ? largest / (1.0 - perVoxel) : limit;
+    frame.LargestRadius = std::max(frame.Radius, static_cast<float>(std::min(radius, limit)));
+    return largest > std::max(limit, static_cast<double>(frame.Radius));
   }
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -366,15 +378,16 @@ void vtkVoxelLineFrameBuilder::SetProperty(vtkVoxelLineFrame& frame, vtkProperty
 }
 
 //------------------------------------------------------------------------------
-void vtkVoxelLineFrameBuilder::SetLighting(vtkVoxelLineFrame& frame, vtkRenderer* renderer,
+bool vtkVoxelLineFrameBuilder::SetLighting(vtkVoxelLineFrame& frame, vtkRenderer* renderer,
   vtkLineIllumination* illumination, vtkProperty* property)
 {
   frame.Light.SetRenderer(renderer);
-  frame.Light.SetModel(illumination, property);
+  const bool isValid = frame.Light.SetModel(illumination, property);
   frame.Lighting = property->GetLighting() && !frame.Light.Lights.empty();
   // The brightest light of any facet, and stretched light, are not what a surface reflects.
   frame.LitAsLines = illumination->GetModel() == vtkLineIllumination::MaximumReflection ||
     illumination->GetStretchDynamicRange();
+  return isValid || !frame.Lighting;
 }
 
 //------------------------------------------------------------------------------

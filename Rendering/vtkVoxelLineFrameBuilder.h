@@ -31,11 +31,6 @@ public:
   /// single precision would lose the lines in them.
   static constexpr double LargestRadius = 4.0;
 
-  /// No tube is drawn with a larger radius than this for the sake of coverage, in voxels, so that
-  /// rays need not visit ever more voxels. Where half a pixel is larger, rays miss some tubes, and
-  /// those that they hit are less transparent by as much: the mean stays the same.
-  static constexpr double LargestWidening = 2.0;
-
   /// Where the grid of a model lies.
   struct Grid
   {
@@ -77,11 +72,20 @@ public:
   static std::string SetView(vtkVoxelLineFrame& frame, const View& view, const Grid& grid);
 
   /**
+   * Largest radius, in voxels, with which tubes are drawn for the sake of coverage: as large as
+   * lets a ray meet about 4096 segments, if they were spread evenly, but at least 2. So rays need
+   * not visit ever more voxels. Where half a pixel is larger, rays miss some tubes, and those that
+   * they hit are less transparent by as much: the mean stays the same.
+   */
+  static double GetLargestWidening(const Grid& grid, double segments);
+
+  /**
    * Decide whether tubes are widened to the width of a pixel, for a frame with a view and a radius.
    * smallest is the smallest radius above 0, in voxels. Without widen tubes have the width that
-   * their radius gives, at whatever size.
+   * their radius gives, at whatever size. limit is GetLargestWidening(); returns whether it was
+   * met.
    */
-  static void SetWidths(vtkVoxelLineFrame& frame, double smallest, bool widen);
+  static bool SetWidths(vtkVoxelLineFrame& frame, double smallest, bool widen, double limit);
 
   /// World clipping planes (may be null) to grid-local half spaces.
   static void SetClippingPlanes(
@@ -95,7 +99,7 @@ public:
    * frame is unlit where there is no light, as VTK's polygons are, and where the property's
    * lighting is off.
    */
-  static void SetLighting(vtkVoxelLineFrame& frame, vtkRenderer* renderer,
+  static bool SetLighting(vtkVoxelLineFrame& frame, vtkRenderer* renderer,
     vtkLineIllumination* illumination, vtkProperty* property);
 
   /// Whether two frames would give the same picture; the depth of the scene is not compared.

@@ -186,13 +186,19 @@ public:
    * multiplied by the part of that width which they cover, and lit by the average over their width
    * (Mallo, Peikert, Sigg and Sadlo, "Illuminated Lines Revisited", 2005, Sec. 2.2); between one
    * and two pixels the light changes over to that of a surface, which has the same average. So the
-   * brightness of the picture stays the same at all distances, and no line is lost between pixels.
+   * brightness of the picture stays the same as the camera moves away, and no line is lost between
+   * pixels.
    * Selection finds such tubes one pixel wide. Default true. Off: each pixel shows what lies at its
    * centre, with the light of a surface. A tube of radius 0 is invisible in either case.
    *
    * A pixel's width is its larger side in the coordinates of the data: an actor scaled unevenly
    * widens some tubes to more than a pixel. A line that passes itself within the width of a pixel
    * at the same depth counts once there.
+   *
+   * Tubes are drawn with a radius of at most as many voxels as let a ray meet about 4096 segments,
+   * if these were spread evenly, but at least 2: in views from so far that half a pixel is larger,
+   * rays miss some lines, and those that they hit are less transparent by as much. The brightness
+   * remains, with noise, and a warning says so once.
    */
   vtkSetMacro(SubPixelCoverage, bool);
   vtkGetMacro(SubPixelCoverage, bool);

@@ -111,6 +111,8 @@ vtkVoxelLineViews::Tubes vtkVoxelLinePainter::GetTubes(const Scene& scene)
   Warnings ignored; // a picture tells them
   tubes.Grid = GetGrid(scene, ignored);
   tubes.SmallestRadius = std::min(scene.SmallestRadius / tubes.Grid.VoxelSize, tubes.Grid.Margin);
+  tubes.LargestWidening = vtkVoxelLineFrameBuilder::GetLargestWidening(
+    tubes.Grid, static_cast<double>(scene.Model->GetNumberOfSegments()));
   return tubes;
 }
 
@@ -195,12 +197,27 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
   }
   vtkVoxelLineFrameBuilder::SetClippingPlanes(frame, scene.Mapper->GetClippingPlanes(), view, grid);
   vtkVoxelLineFrameBuilder::SetProperty(frame, actor->GetProperty());
-  vtkVoxelLineFrameBuilder::SetLighting(
-    frame, renderer, scene.Mapper->GetIllumination(), actor->GetProperty());
+  if (!vtkVoxelLineFrameBuilder::SetLighting(
+        frame, renderer, scene.Mapper->GetIllumination(), actor->GetProperty()))
+  {
+    warnings[BadPower] = "The property's SpecularPower is not a number from 0 on; 1 is taken.";
+  }
   vtkVoxelLineColoring::SetColors(frame, scene.Mapper, scene.Model);
   frame.Radius = static_cast<float>(grid.Margin);
-  vtkVoxelLineFrameBuilder::SetWidths(
-    frame, GetTubes(scene).SmallestRadius, scene.Mapper->GetSubPixelCoverage());
+  const vtkVoxelLineViews::Tubes tubes = GetTubes(scene);
+  const bool isLimited = vtkVoxelLineFrameBuilder::SetWidths(
+    frame, tubes.SmallestRadius, scene.Mapper->GetSubPixelCoverage(), tubes.LargestWidening);
+  // Where all lines lie within a few pixels, there is nothing to be told apart.
+  const int longest = *std::max_element(grid.Dimensions, grid.Dimensions + 3);
+  if (isLimited && 8.0 * tubes.LargestWidening < longest)
+  {
+    std::ostringstream message;
+    message
+      << "Pixels are more than " << 2.0 * tubes.LargestWidening
+      << " voxels wide: for speed, some lines are missed and others are drawn less transparent"
+         " in exchange. Lower the Resolution for views from so far away.";
+    warnings[HugePixels] = message.str();
+  }
   const double early = scene.Mapper->GetEarlyTermination();
   frame.EarlyTermination = early < 1.0 ? static_cast<float>(early) : NeverEarly;
 
@@ -354,8 +371,9 @@ std::string vtkVoxelLinePainter::DrawNumbers(const Scene& scene, vtkHardwareSele
   vtkVoxelLineFrameBuilder::SetClippingPlanes(
     wanted.Frame, scene.Mapper->GetClippingPlanes(), view, grid);
   wanted.Frame.Radius = static_cast<float>(grid.Margin);
+  const vtkVoxelLineViews::Tubes tubes = GetTubes(scene);
   vtkVoxelLineFrameBuilder::SetWidths(
-    wanted.Frame, GetTubes(scene).SmallestRadius, scene.Mapper->GetSubPixelCoverage());
+    wanted.Frame, tubes.SmallestRadius, scene.Mapper->GetSubPixelCoverage(), tubes.LargestWidening);
 
   // The selector draws the scene once per number; one picture serves for all.
   if (!this->LastPick.IsSame(wanted))

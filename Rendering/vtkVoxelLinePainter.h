@@ -65,7 +65,9 @@ public:
     NoSceneDepth,      ///< the depth of the scene cannot be read
     OverlappingCurves, ///< the engine could not tell all curves in a pixel apart
     HugeRadius,        ///< the radius is far larger than all lines together
-    NoPoints           ///< points were to be selected in a model
+    NoPoints,          ///< points were to be selected in a model
+    HugePixels,        ///< pixels are so large that rays miss tubes
+    BadPower           ///< the exponent of the property is not a number
   };
   using Warnings = std::map<WarningKind, std::string>;
 

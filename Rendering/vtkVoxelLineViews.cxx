@@ -40,7 +40,7 @@ bool vtkVoxelLineViews::Look(const View& view, const Tubes& tubes)
   {
     return false;
   }
-  vtkVoxelLineFrameBuilder::SetWidths(frame, tubes.SmallestRadius, true);
+  vtkVoxelLineFrameBuilder::SetWidths(frame, tubes.SmallestRadius, true, tubes.LargestWidening);
   return frame.ThinTubes;
 }
 

@@ -36,6 +36,7 @@ public:
   {
     vtkVoxelLineFrameBuilder::Grid Grid;
     double SmallestRadius = 0.0;
+    double LargestWidening = 0.0; ///< as vtkVoxelLineFrameBuilder tells
   };
 
   /**

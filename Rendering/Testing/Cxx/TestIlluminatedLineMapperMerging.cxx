@@ -146,9 +146,103 @@ void CheckExceptions(Checks& check)
   check(mapper->GetNumberOfDrawnSegments() > 0, "lines after a release");
 }
 
+/// A mapper that ends while another window's context is the current one deletes nothing there.
+void CheckOtherWindow(Checks& check)
+{
+  Stage stage(200, 160);
+  auto mapper = vtkSmartPointer<vtkIlluminatedLineMapper>::New();
+  auto actor = AddHelices(stage, mapper);
+  stage.Render();
+  check(mapper->GetNumberOfDrawnSegments() < 12 * 3999 / 4, "segments are merged");
+  Stage other(200, 160);
+  other.AddSphere(0.0, 0.0, 0.0, 0.5);
+  other.Renderer->ResetCamera();
+  const Picture before = other.Render();
+  stage.Renderer->RemoveAllViewProps();
+  actor = nullptr;
+  mapper = nullptr;
+  other.AddSphere(0.0, 0.0, 0.0, 0.1);
+  other.AddSphere(0.0, 0.0, 0.0, 0.2);
+  other.AddSphere(0.0, 0.0, 0.0, 0.3);
+  check(Compare(before, other.Render()).Largest == 0, "another window keeps its buffers");
+}
+
+/// Points that move are merged anew.
+void CheckMovedPoints(Checks& check)
+{
+  Stage stage(200, 160);
+  vtkNew<vtkIlluminatedLineMapper> mapper;
+  auto actor = AddHelices(stage, mapper);
+  stage.Render();
+  const vtkIdType fewer = mapper->GetNumberOfDrawnSegments();
+  vtkPolyData* lines = mapper->GetInput();
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    lines->GetPoint(i, point);
+    point[0] += i % 2 ? 0.2 : -0.2;
+    lines->GetPoints()->SetPoint(i, point);
+  }
+  lines->GetPoints()->Modified();
+  lines->Modified();
+  stage.Render();
+  check(mapper->GetNumberOfDrawnSegments() > 2 * fewer, "zigzags are not merged");
+  actor->GetProperty()->SetRepresentationToPoints();
+  stage.Render();
+  check(mapper->GetNumberOfDrawnSegments() == 0, "points are no segments");
+}
+
+/// Texture units are given back after every frame.
+void CheckManyFrames(Checks& check)
+{
+  const auto messages = Listen();
+  Stage stage(60, 60);
+  vtkNew<vtkIlluminatedLineMapper> mapper;
+  auto actor = AddHelices(stage, mapper);
+  for (int i = 0; i < 300; ++i)
+  {
+    stage.Renderer->GetActiveCamera()->Azimuth(1.0);
+    stage.Window->Render();
+  }
+  check(messages->IsQuiet(), "300 frames");
+}
+
+/// What is wholly transparent hides nothing, even in an actor that has to pass for opaque.
+void CheckTransparentPoints(Checks& check)
+{
+  Stage stage(100, 100);
+  auto lines = MakeLines({ { { -0.8, 0.0, 0.5 }, { 0.8, 0.0, 0.5 } } });
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(4);
+  colors->InsertNextTuple4(255, 0, 0, 0);
+  colors->InsertNextTuple4(255, 0, 0, 0);
+  lines->GetPointData()->SetScalars(colors);
+  vtkNew<vtkIlluminatedLineMapper> mapper;
+  mapper->SetInputData(lines);
+  auto actor = stage.Add(mapper);
+  actor->ForceOpaqueOn();
+  actor->GetProperty()->SetLineWidth(20.0f);
+  auto sphere = stage.AddSphere(0.0, 0.0, -2.0, 0.9);
+  sphere->GetProperty()->SetColor(0.0, 1.0, 0.0);
+  LookAlongZ(stage);
+  const auto color = stage.Render().At(50, 50);
+  check(color[0] < 10 && color[1] > 200, "a sphere behind invisible lines" + Describe(color));
+}
+
 void CheckBadValues(Checks& check)
 {
   const auto messages = Listen();
+  {
+    Stage stage(60, 60);
+    vtkNew<vtkIlluminatedLineMapper> bad;
+    auto actor = AddHelices(stage, bad);
+    actor->GetProperty()->SetSpecularPower(std::numeric_limits<double>::quiet_NaN());
+    const Picture picture = stage.Render();
+    stage.Render();
+    check(messages->TakeWarnings("SpecularPower") == 1, "an exponent that is NaN is told once");
+    actor->GetProperty()->SetSpecularPower(1.0);
+    check(Compare(picture, stage.Render()).Largest == 0, "an exponent that is NaN is taken for 1");
+  }
   vtkNew<vtkIlluminatedLineMapper> mapper;
   const double right = mapper->GetMergeLength();
   mapper->SetMergeLength(-1.0);
@@ -168,6 +262,10 @@ int TestIlluminatedLineMapperMerging(int, char*[])
   Checks check;
   CheckPictures(check);
   CheckExceptions(check);
+  CheckOtherWindow(check);
+  CheckMovedPoints(check);
+  CheckTransparentPoints(check);
+  CheckManyFrames(check);
   CheckBadValues(check);
   return check.GetResult();
 }

@@ -255,6 +255,10 @@ Vector GetExpected(Scene& scene, const Line& line)
   scene.Renderer->GetLights()->InitTraversal(iterator);
   while (vtkLight* light = scene.Renderer->GetLights()->GetNextLight(iterator))
   {
+    if (!light->GetSwitch())
+    {
+      continue;
+    }
     const Arrival arrival = GetArrival(scene, light, line.Middle);
     const double* t = &line.Tangent.x;
     const double* v = &viewer.x;
@@ -344,6 +348,13 @@ const std::vector<std::pair<std::string, Change>>& GetLights()
     { "lone headlight",
       [](Scene& scene)
       { scene.AddLight(Vector(0.0, 0.0, 1.0), Vector(0.0))->SetLightTypeToHeadlight(); } },
+    // VTK then no longer takes the highlight from the normal.
+    { "headlight beside a light that is off",
+      [](Scene& scene)
+      {
+        scene.AddLight(Vector(0.0, 0.0, 1.0), Vector(0.0))->SetLightTypeToHeadlight();
+        scene.AddLight(Vector(1.0, 0.0, 1.0), Vector(0.0))->SwitchOff();
+      } },
     { "positional",
       [](Scene& scene)
       {

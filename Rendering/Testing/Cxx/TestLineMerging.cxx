@@ -141,6 +141,15 @@ void CheckSpecialLines(Checks& check)
   const auto indices = vtkLineMerging::GetIndices(broken, 1.0);
   check(indices == Indices{ 0, 1, 1, 2, 2, 3, 3, 5 }, "points that are not finite part a line");
   check(vtkLineMerging::GetIndices(vtkNew<vtkPolyData>(), 1.0).empty(), "no lines");
+  vtkNew<vtkPolyData> unknown;
+  unknown->SetPoints(straight->GetPoints());
+  vtkNew<vtkCellArray> cells;
+  const vtkIdType ids[4] = { 0, 1, 1000000, 2 };
+  cells->InsertNextCell(4, ids);
+  unknown->SetLines(cells);
+  check(vtkLineMerging::GetIndices(unknown, 1.0) == Indices{ 0, 1, 1, 1000000, 1000000, 2 } &&
+      vtkLineMerging::GetLongestSegment(unknown) == 0.4,
+    "points that do not exist part a line");
 }
 
 void CheckLengths(Checks& check)
@@ -153,9 +162,39 @@ void CheckLengths(Checks& check)
   vtkMatrix4x4* view = camera->GetModelViewTransformMatrix();
   vtkMatrix4x4* projection = camera->GetProjectionTransformMatrix(4.0 / 3.0, -1.0, 1.0);
   // The nearest face is 4 away, where the view is 8 tan(15 degrees) high.
-  const double expected = 2.0 * 8.0 * std::tan(vtkMath::RadiansFromDegrees(15.0)) / 300.0;
+  // Towards the corner, what moves in depth moves sideways by a slope of sqrt(2) / 4.
+  const double expected =
+    2.0 * 8.0 * std::tan(vtkMath::RadiansFromDegrees(15.0)) / 300.0 / std::sqrt(1.0 + 2.0 / 16.0);
   double length = vtkLineMerging::GetLength(2.0, bounds, view, projection, size);
   check(std::abs(length - expected) < 1e-6, "length in perspective: " + std::to_string(length));
+
+  // A wide view: no step of this length, in whatever direction, moves a point by more pixels.
+  camera->SetViewAngle(120.0);
+  vtkMatrix4x4* wide = camera->GetProjectionTransformMatrix(4.0 / 3.0, -1.0, 1.0);
+  length = vtkLineMerging::GetLength(2.0, bounds, view, wide, size);
+  double farthest = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double pixels[2][2];
+      for (int side = 0; side < 2; ++side)
+      {
+        double p[4] = { corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0,
+          1.0 };
+        p[axis] *= side ? 1.0 - length : 1.0;
+        view->MultiplyPoint(p, p);
+        wide->MultiplyPoint(p, p);
+        pixels[side][0] = 0.5 * size[0] * p[0] / p[3];
+        pixels[side][1] = 0.5 * size[1] * p[1] / p[3];
+      }
+      farthest =
+        std::max(farthest, std::hypot(pixels[1][0] - pixels[0][0], pixels[1][1] - pixels[0][1]));
+    }
+  }
+  check(farthest <= 2.0 && farthest > 0.5, "a step in a wide view: " + std::to_string(farthest));
+  camera->SetViewAngle(30.0);
+  projection = camera->GetProjectionTransformMatrix(4.0 / 3.0, -1.0, 1.0);
 
   vtkNew<vtkMatrix4x4> scaled;
   scaled->SetElement(0, 0, 0.5);
@@ -163,7 +202,8 @@ void CheckLengths(Checks& check)
   vtkNew<vtkMatrix4x4> both;
   vtkMatrix4x4::Multiply4x4(view, scaled, both);
   length = vtkLineMerging::GetLength(2.0, bounds, both, projection, size);
-  check(std::abs(length - expected / 3.0) < 1e-6, "the largest scale counts");
+  check(std::abs(length - expected * std::sqrt(1.125 / (1.0 + 9.25 / 16.0)) / 3.0) < 1e-6,
+    "the largest scale counts");
 
   camera->SetPosition(0.0, 0.0, 0.5);
   length = vtkLineMerging::GetLength(2.0, bounds, camera->GetModelViewTransformMatrix(),

@@ -155,9 +155,10 @@ void CheckWidths(Checks& check, const std::string& name, vtkVoxelLineFrame frame
   frame.Radius = 0.1f;
   const auto isAs = [&](double smallest, bool widen, bool narrow, bool thin)
   {
-    Builder::SetWidths(frame, smallest, widen);
+    const double most = 2.0;
+    const bool isLimited = Builder::SetWidths(frame, smallest, widen, most);
+    check(isLimited == (frame.ThinTubes && largest > most), name + ": the limit is told");
     // Tubes are widened as far as a pixel reaches, up to a limit.
-    const double most = Builder::LargestWidening;
     const bool limits = frame.ThinTubes
       ? frame.LargestRadius >= 0.999 * std::min(std::max(largest, 0.1), most) &&
         frame.LargestRadius <= std::min(1.1 * largest + 0.1, most)

@@ -358,6 +358,41 @@ void CheckScene(Checks& check, Messages* messages)
     std::abs(GetCoverage(stage.Render(), Background) - (whole - lines)) < 0.01, "all is clipped");
   check(messages->IsQuiet(), "nothing else is said");
 }
+
+// vtkProperty lets an exponent through that is not a number.
+void CheckExponent(Checks& check, Messages* messages)
+{
+  Stage stage(80, 80);
+  vtkNew<vtkVoxelLineMapper> mapper;
+  mapper->SetInputData(MakeHelices(3, 100));
+  mapper->SetRadius(0.05);
+  auto actor = stage.Add(mapper);
+  actor->GetProperty()->SetSpecular(0.5);
+  actor->GetProperty()->SetSpecularPower(std::numeric_limits<double>::quiet_NaN());
+  const Picture picture = stage.Render();
+  stage.Render();
+  check(messages->TakeWarnings("SpecularPower") == 1, "an exponent that is NaN is told once");
+  actor->GetProperty()->SetSpecularPower(1.0);
+  check(Compare(picture, stage.Render()).Largest == 0, "an exponent that is NaN is taken for 1");
+  check(GetCoverage(picture, Background) > 0.05, "something is drawn");
+}
+
+// Very many lines in a picture of few pixels.
+void CheckHugePixels(Checks& check, Messages* messages)
+{
+  Stage stage(8, 8);
+  vtkNew<vtkVoxelLineMapper> mapper;
+  mapper->SetInputData(MakeHelices(400, 2000));
+  mapper->SetRadius(0.0005);
+  stage.Add(mapper);
+  stage.Render();
+  stage.Render();
+  check(
+    messages->TakeWarnings("Pixels are more than") == 1, "pixels beyond the limit are told once");
+  mapper->SetResolution(16);
+  stage.Render();
+  check(messages->IsQuiet(), "a lower resolution has no such limit");
+}
 }
 
 int TestVoxelLineMapperBadInput(int, char*[])
@@ -373,5 +408,7 @@ int TestVoxelLineMapperBadInput(int, char*[])
   CheckInputGoes(check, messages);
   CheckDefectiveModel(check, messages);
   CheckScene(check, messages);
+  CheckExponent(check, messages);
+  CheckHugePixels(check, messages);
   return check.GetResult();
 }

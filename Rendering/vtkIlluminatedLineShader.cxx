@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkIlluminatedLineShader.h"
+
+#include "vtkShaderProgram.h"
+
+namespace
+{
+// What the light model's shader source asks for.
+constexpr const char* Declarations = "#define Real float\n"
+                                     "#define LS_OUT(T) out T\n"
+                                     "#define LS_INOUT(T) inout T\n";
+
+// VTK's shaders discard what is wholly transparent, which keeps depth tests from coming first, even
+// where nothing is transparent.
+constexpr const char* TransparencyTest = "if (gl_FragData[0].a <= 0.0)";
+
+// The lit colour takes the place of the unlit one, which is the sum of the two. Light is computed
+// for each pixel,
+constexpr const char* PixelLight =
+  "  float lineTangentSize = length(lineTangentVCVSOutput);\n"
+  "  vec3 lineTangent = lineTangentSize > 0.0 ? lineTangentVCVSOutput / lineTangentSize\n"
+  "    : vec3(0.0);\n"
+  "  ambientColor = lightLine(vertexVC.xyz, lineTangent, ambientColor, diffuseColor,\n"
+  "    lineSpecularColor, linePower);\n"
+  "  diffuseColor = vec3(0.0);\n"
+  "  //VTK::Light::Impl\n";
+
+// or for each point and then interpolated.
+constexpr const char* PointLight =
+  "  float lineTangentSize = length(lineTangentVCVSOutput);\n"
+  "  lineLight(vertexVCVSOutput.xyz, lineTangentSize > 0.0 ? lineTangentVCVSOutput / "
+  "lineTangentSize\n"
+  "    : vec3(0.0), lineShines, linePower, lineDiffuseVSOutput, lineSpecularVSOutput);\n";
+constexpr const char* InterpolatedLight = "  ambientColor += diffuseColor * lineDiffuseVSOutput + "
+                                          "lineSpecularColor * lineSpecularVSOutput;\n"
+                                          "  diffuseColor = vec3(0.0);\n"
+                                          "  //VTK::Light::Impl\n";
+
+// Put code before what the superclass will put at a place of a shader.
+void InsertBefore(vtkShader* shader, const std::string& place, const std::string& code)
+{
+  std::string source = shader->GetSource();
+  vtkShaderProgram::Substitute(source, place, code + place, false);
+  shader->SetSource(source);
+}
+
+// Declares a value that goes from the vertex shader to the fragment shader, and hands it through
+// the geometry shader, where there is one.
+void HandOn(
+  std::map<vtkShader::Type, vtkShader*>& shaders, const std::string& type, const std::string& name)
+{
+  const std::string before = type + " " + name + "VSOutput";
+  const std::string after = type + " " + name + "GSOutput";
+  InsertBefore(shaders[vtkShader::Vertex], "//VTK::Light::Dec", "out " + before + ";\n");
+  InsertBefore(shaders[vtkShader::Geometry], "//VTK::Light::Dec",
+    "in " + before + "[];\nout " + after + ";\n");
+  InsertBefore(shaders[vtkShader::Geometry], "//VTK::Light::Impl",
+    name + "GSOutput = " + name + "VSOutput[i];\n");
+  InsertBefore(shaders[vtkShader::Fragment], "//VTK::Light::Dec", "in " + before + ";\n");
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIlluminatedLineShader::GetKey() const
+{
+  return this->GetSource() + (this->IsFine ? "fine" : "") + (this->IsOpaque ? "opaque" : "");
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIlluminatedLineShader::GetSource() const
+{
+  return std::string(Declarations) +
+    "const bool lineShines = " + (this->Shines ? "true" : "false") + ";\n" +
+    (this->HasPowers ? "#define linePower linePowerVSOutput\n" : "uniform float linePower;\n") +
+    this->Lighting;
+}
+
+//------------------------------------------------------------------------------
+void vtkIlluminatedLineShader::Insert(std::map<vtkShader::Type, vtkShader*>& shaders) const
+{
+  vtkShader* vertex = shaders[vtkShader::Vertex];
+  vtkShader* fragment = shaders[vtkShader::Fragment];
+  InsertBefore(vertex, "//VTK::Light::Dec",
+    "in vec3 lineTangentMC;\n"
+    "uniform mat3 lineTangentMatrix;\n");
+  InsertBefore(vertex, "//VTK::Light::Impl",
+    std::string(this->IsFine ? "vec3 " : "") +
+      "lineTangentVCVSOutput = lineTangentMatrix * lineTangentMC;\n");
+  if (this->HasPowers)
+  {
+    InsertBefore(vertex, "//VTK::Light::Dec",
+      "in float linePowerMC;\n"
+      "uniform float linePowerElsewhere;\n");
+    InsertBefore(vertex, "//VTK::Light::Impl",
+      std::string(this->IsFine ? "float " : "") +
+        "linePowerVSOutput = linePowerMC < 0.0 ? linePowerElsewhere : linePowerMC;\n");
+  }
+  InsertBefore(fragment, "//VTK::Light::Dec", "uniform vec3 lineSpecularColor;\n");
+  if (this->IsFine)
+  {
+    HandOn(shaders, "vec3", "lineDiffuse");
+    HandOn(shaders, "vec3", "lineSpecular");
+    InsertBefore(vertex, "//VTK::Light::Dec", this->GetSource());
+    InsertBefore(vertex, "//VTK::Light::Impl", PointLight);
+    InsertBefore(fragment, "//VTK::Light::Impl", InterpolatedLight);
+  }
+  else
+  {
+    HandOn(shaders, "vec3", "lineTangentVC");
+    if (this->HasPowers)
+    {
+      HandOn(shaders, "float", "linePower");
+    }
+    InsertBefore(fragment, "//VTK::Light::Dec", this->GetSource());
+    InsertBefore(fragment, "//VTK::Light::Impl", PixelLight);
+  }
+  if (this->IsOpaque)
+  {
+    std::string source = fragment->GetSource();
+    vtkShaderProgram::Substitute(source, TransparencyTest, "if (false)");
+    fragment->SetSource(source);
+  }
+}

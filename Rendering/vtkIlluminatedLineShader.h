@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkIlluminatedLineShader
+ * @brief   what vtkIlluminatedLineMapper adds to the shaders of vtkOpenGLPolyDataMapper
+ */
+
+#ifndef vtkIlluminatedLineShader_h
+#define vtkIlluminatedLineShader_h
+
+#include "vtkShader.h"
+
+#include <map>
+#include <string>
+
+struct vtkLineSetsLighting;
+
+struct vtkIlluminatedLineShader
+{
+  /// Whether anything shines; else compilers leave out all that computes highlights.
+  bool Shines = false;
+  /// Whether each point has an exponent of its own.
+  bool HasPowers = false;
+  /// Whether light is computed for each point and interpolated, in place of for each pixel.
+  bool IsFine = false;
+  /// Whether no fragment can be wholly transparent.
+  bool IsOpaque = false;
+  /// Source of the light model.
+  std::string Lighting;
+
+  /// Differs where the shaders differ.
+  std::string GetKey() const;
+
+  /// Put light into the shaders, before the superclass replaces their tags for light.
+  void Insert(std::map<vtkShader::Type, vtkShader*>& shaders) const;
+
+private:
+  std::string GetSource() const;
+};
+
+#endif
+
+// VTK-HeaderTest-Exclude: vtkIlluminatedLineShader.h
