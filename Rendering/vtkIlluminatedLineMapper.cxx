@@ -67,15 +67,17 @@ public:
   // In whose context these buffers are.
   vtkWeakPointer<vtkOpenGLRenderWindow> MergedWindow;
 
-  // The window lets go what it holds before it ends, but not where the mapper ends before: then
-  // another context may be the current one.
-  ~vtkInternals()
+  ~vtkInternals() { this->ReleaseMerged(); }
+
+  // Whoever asks for it, another window's context may be the current one.
+  void ReleaseMerged()
   {
     if (this->MergedWindow)
     {
       this->MergedWindow->PushContext();
       this->Merged.ReleaseGraphicsResources();
       this->MergedWindow->PopContext();
+      this->MergedWindow = nullptr;
     }
   }
 
@@ -516,8 +518,7 @@ void vtkIlluminatedLineMapper::WarnOnce(std::string& last, const std::string& wa
 void vtkIlluminatedLineMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Uniforms.ReleaseGraphicsResources(window);
-  this->Internals->Merged.ReleaseGraphicsResources();
-  this->Internals->MergedWindow = nullptr;
+  this->Internals->ReleaseMerged();
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
