@@ -114,11 +114,19 @@ def test_examples():
         draw(lines, *common, "--color-by", "speed", "--opacity", 0.25, "--output", thin)
         brightness = [sum(map(sum, pixels(p)[1])) for p in (pictures[name], thin)]
         assert brightness[1] > brightness[0], f"{name}: opacity changes nothing"
+        lit = options.scratch / f"{name}-lit.png"
+        draw(lines, "--line-width", 2, "--size", "300x200", "--color-by", "speed", "--output", lit)
+        share = sum(covered(lit)) / len(colors)
+        assert 0.02 < share < 0.6 and pixels(lit)[1] != colors, f"{name}: {share} by lit lines"
         default = options.scratch / f"{name}-default.png"
         draw(lines, "--output", default)
         assert pixels(default)[0] == (1024, 768) and any(covered(default))
     assert covered(pictures["cxx"]) == covered(pictures["python"]), "C++ and Python differ"
+    # One window takes several samples per pixel, the other one does not.
+    shares = [sum(covered(options.scratch / f"{name}-lit.png")) for name in pictures]
+    assert abs(shares[0] / shares[1] - 1) < 0.05, f"lit lines in C++ and Python differ: {shares}"
 
+    refused("--line-width takes a number of pixels above 0", lines, "--line-width", 0)
     refused("there is no array", lines, "--color-by", "nothing")
     refused("--size takes", lines, "--size", "300")
     refused("--radius takes a number", lines, "--radius", "wide")

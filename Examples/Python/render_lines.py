@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the lines of a file (.vtp, .vtk) as tubes, into a window or a picture."""
+"""Draws the lines of a file (.vtp, .vtk) as tubes or as lit lines, into a window or a picture."""
 import argparse
 
 import vtkmodules.vtkInteractionStyle
-from linesets import vtkVoxelLineMapper
+from linesets import vtkIlluminatedLineMapper, vtkVoxelLineMapper
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -14,6 +14,8 @@ from vtkmodules.vtkRenderingCore import (
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("file")
 parser.add_argument("--radius", type=float, default=0.0, help="in data units; 0: by size")
+parser.add_argument("--line-width", type=float, metavar="W",
+                    help="draw lines of so many pixels in place of tubes")
 parser.add_argument("--opacity", type=float, default=1.0)
 parser.add_argument("--color-by", metavar="ARRAY", help="of points or cells; vectors by magnitude")
 parser.add_argument("--size", default="1024x768", metavar="WxH")
@@ -24,9 +26,12 @@ reader = vtkPolyDataReader() if options.file.endswith(".vtk") else vtkXMLPolyDat
 reader.SetFileName(options.file)
 reader.Update()
 lines = reader.GetOutput()
-mapper = vtkVoxelLineMapper()
+if options.line_width is None:
+    mapper = vtkVoxelLineMapper()
+    mapper.SetRadius(options.radius)
+else:
+    mapper = vtkIlluminatedLineMapper()
 mapper.SetInputData(lines)
-mapper.SetRadius(options.radius)
 mapper.SetScalarVisibility(options.color_by is not None)
 if options.color_by:
     on_points = lines.GetPointData().HasArray(options.color_by)
@@ -40,6 +45,7 @@ if options.color_by:
 actor, renderer, window = vtkActor(), vtkRenderer(), vtkRenderWindow()
 actor.SetMapper(mapper)
 actor.GetProperty().SetOpacity(options.opacity)
+actor.GetProperty().SetLineWidth(options.line_width or 1)
 renderer.AddActor(actor)
 renderer.SetBackground(1, 1, 1)
 window.AddRenderer(renderer)

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws the lines of a file as tubes, into a window or a picture.
+ * Draws the lines of a file as tubes or as lit lines, into a window or a picture.
  *
- *   RenderLines FILE [--radius R] [--opacity A] [--color-by ARRAY] [--size WxH] [--output PNG]
+ *   RenderLines FILE [--radius R | --line-width W] [--opacity A] [--color-by ARRAY] [--size WxH]
+ *     [--output PNG]
  *
  * FILE is anything VTK reads by itself (.vtp, .vtk, ...). The radius is in data units, by default
- * 1/512 of the longest side of the data. Without --output an interactive window opens.
+ * 1/512 of the longest side of the data. With --line-width lines of so many pixels
+ * take the place of tubes. Without --output an interactive window opens.
  */
 
+#include "vtkIlluminatedLineMapper.h"
 #include "vtkVoxelLineMapper.h"
 
 #include "vtkActor.h"
@@ -40,13 +43,14 @@
 
 namespace
 {
-const char* const Usage = "usage: RenderLines FILE [--radius R] [--opacity A] [--color-by ARRAY] "
-                          "[--size WxH] [--output PNG]\n";
+const char* const Usage = "usage: RenderLines FILE [--radius R | --line-width W] [--opacity A] "
+                          "[--color-by ARRAY] [--size WxH] [--output PNG]\n";
 
 struct Options
 {
   std::string File;
-  double Radius = 0.0; // the mapper's default
+  double Radius = 0.0;    // the mapper's default
+  double LineWidth = 0.0; // 0: tubes
   double Opacity = 1.0;
   std::string ColorBy;
   int Size[2] = { 1024, 768 };
@@ -96,6 +100,14 @@ Options ParseOptions(int argc, char* argv[])
     if (argument == "--radius")
     {
       options.Radius = ParseNumber(argument, value);
+    }
+    else if (argument == "--line-width")
+    {
+      options.LineWidth = ParseNumber(argument, value);
+      if (!(options.LineWidth > 0.0))
+      {
+        throw std::runtime_error("--line-width takes a number of pixels above 0");
+      }
     }
     else if (argument == "--opacity")
     {
@@ -225,9 +237,18 @@ void Write(vtkRenderWindow* window, const std::string& file)
 void Render(const Options& options)
 {
   vtkSmartPointer<vtkPolyData> lines = ReadLines(options.File);
-  vtkNew<vtkVoxelLineMapper> mapper;
-  mapper->SetInputData(lines);
-  mapper->SetRadius(options.Radius);
+  vtkSmartPointer<vtkPolyDataMapper> mapper;
+  if (options.LineWidth > 0.0)
+  {
+    mapper = vtkSmartPointer<vtkIlluminatedLineMapper>::New();
+  }
+  else
+  {
+    auto tubes = vtkSmartPointer<vtkVoxelLineMapper>::New();
+    tubes->SetRadius(options.Radius);
+    mapper = tubes;
+  }
+  mapper->SetInputDataObject(lines);
   mapper->ScalarVisibilityOff();
   if (!options.ColorBy.empty())
   {
@@ -237,6 +258,8 @@ void Render(const Options& options)
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetOpacity(options.Opacity);
+  actor->GetProperty()->SetLineWidth(
+    options.LineWidth > 0.0 ? static_cast<float>(options.LineWidth) : 1.0f);
   actor->GetProperty()->SetColor(0.2, 0.45, 0.7);
   actor->GetProperty()->SetSpecular(0.3);
   actor->GetProperty()->SetSpecularPower(30.0);
