@@ -49,6 +49,7 @@ actor.GetProperty().SetLineWidth(options.line_width or 1)
 renderer.AddActor(actor)
 renderer.SetBackground(1, 1, 1)
 window.AddRenderer(renderer)
+window.SetMultiSamples(0 if options.line_width is None else 8)  # ray cast tubes take no samples
 window.SetSize([int(length) for length in options.size.split("x")])
 window.SetOffScreenRendering(options.output is not None)
 renderer.GetActiveCamera().SetPosition(0, -1, 0.3)

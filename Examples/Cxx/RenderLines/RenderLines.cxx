@@ -269,7 +269,8 @@ void Render(const Options& options)
   renderer->SetBackground(1.0, 1.0, 1.0);
   vtkNew<vtkRenderWindow> window;
   window->SetWindowName("RenderLines");
-  window->SetMultiSamples(0);
+  // Tubes are ray cast, which samples make no smoother.
+  window->SetMultiSamples(options.LineWidth > 0.0 ? 8 : 0);
   window->AddRenderer(renderer);
   window->SetOffScreenRendering(!options.Output.empty());
   window->SetSize(options.Size[0], options.Size[1]);
