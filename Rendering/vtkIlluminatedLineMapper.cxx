@@ -26,7 +26,6 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,22 +63,6 @@ public:
   vtkLineSetsLighting Lighting;
   vtkLineSetsLightingUniforms Uniforms;
   vtkMergedLineBuffers Merged;
-  // In whose context these buffers are.
-  vtkWeakPointer<vtkOpenGLRenderWindow> MergedWindow;
-
-  ~vtkInternals() { this->ReleaseMerged(); }
-
-  // Whoever asks for it, another window's context may be the current one.
-  void ReleaseMerged()
-  {
-    if (this->MergedWindow)
-    {
-      this->MergedWindow->PushContext();
-      this->Merged.ReleaseGraphicsResources();
-      this->MergedWindow->PopContext();
-      this->MergedWindow = nullptr;
-    }
-  }
 
   // Whether the lines being drawn are lit, by which shader (no key: none), and how VTK would light
   // them.
@@ -268,10 +251,10 @@ void vtkIlluminatedLineMapper::UpdateShaders(
   const std::string source = cellBO.Program->GetFragmentShader()->GetSource();
   if (source.find("gl_PrimitiveID") == std::string::npos)
   {
-    internals.MergedWindow = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
     // Until it is drawn: RenderPieceDraw() puts the whole buffer back.
-    vtkOpenGLIndexBufferObject* merged =
-      internals.Merged.Get(this->CurrentInput, internals.MergeLength, cellBO.IBO->IndexCount);
+    vtkOpenGLIndexBufferObject* merged = internals.Merged.Get(
+      window, this->CurrentInput, internals.MergeLength, cellBO.IBO->IndexCount);
     cellBO.IBO = merged ? merged : cellBO.IBO;
   }
 }
@@ -518,7 +501,7 @@ void vtkIlluminatedLineMapper::WarnOnce(std::string& last, const std::string& wa
 void vtkIlluminatedLineMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Uniforms.ReleaseGraphicsResources(window);
-  this->Internals->ReleaseMerged();
+  this->Internals->Merged.ReleaseGraphicsResources();
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

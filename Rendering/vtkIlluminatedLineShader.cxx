@@ -15,27 +15,19 @@ constexpr const char* Declarations = "#define Real float\n"
 // where nothing is transparent.
 constexpr const char* TransparencyTest = "if (gl_FragData[0].a <= 0.0)";
 
-// The lit colour takes the place of the unlit one, which is the sum of the two. Light is computed
-// for each pixel,
-constexpr const char* PixelLight =
+// Light on the line, in the vertex shader for each point or in the fragment shader for each pixel.
+constexpr const char* LineLight =
   "  float lineTangentSize = length(lineTangentVCVSOutput);\n"
   "  vec3 lineTangent = lineTangentSize > 0.0 ? lineTangentVCVSOutput / lineTangentSize\n"
   "    : vec3(0.0);\n"
-  "  ambientColor = lightLine(vertexVC.xyz, lineTangent, ambientColor, diffuseColor,\n"
-  "    lineSpecularColor, linePower);\n"
-  "  diffuseColor = vec3(0.0);\n"
-  "  //VTK::Light::Impl\n";
+  "  lineLight(vertexVCVSOutput.xyz, lineTangent, lineShines, linePower,\n"
+  "    lineDiffuseVSOutput, lineSpecularVSOutput);\n";
 
-// or for each point and then interpolated.
-constexpr const char* PointLight =
-  "  float lineTangentSize = length(lineTangentVCVSOutput);\n"
-  "  lineLight(vertexVCVSOutput.xyz, lineTangentSize > 0.0 ? lineTangentVCVSOutput / "
-  "lineTangentSize\n"
-  "    : vec3(0.0), lineShines, linePower, lineDiffuseVSOutput, lineSpecularVSOutput);\n";
-constexpr const char* InterpolatedLight = "  ambientColor += diffuseColor * lineDiffuseVSOutput + "
-                                          "lineSpecularColor * lineSpecularVSOutput;\n"
-                                          "  diffuseColor = vec3(0.0);\n"
-                                          "  //VTK::Light::Impl\n";
+// The lit colour takes the place of the unlit one, which is the sum of the two.
+constexpr const char* LitColor = "  ambientColor += diffuseColor * lineDiffuseVSOutput +\n"
+                                 "    lineSpecularColor * lineSpecularVSOutput;\n"
+                                 "  diffuseColor = vec3(0.0);\n"
+                                 "  //VTK::Light::Impl\n";
 
 // Put code before what the superclass will put at a place of a shader.
 void InsertBefore(vtkShader* shader, const std::string& place, const std::string& code)
@@ -101,9 +93,6 @@ void vtkIlluminatedLineShader::Insert(std::map<vtkShader::Type, vtkShader*>& sha
   {
     HandOn(shaders, "vec3", "lineDiffuse");
     HandOn(shaders, "vec3", "lineSpecular");
-    InsertBefore(vertex, "//VTK::Light::Dec", this->GetSource());
-    InsertBefore(vertex, "//VTK::Light::Impl", PointLight);
-    InsertBefore(fragment, "//VTK::Light::Impl", InterpolatedLight);
   }
   else
   {
@@ -112,9 +101,14 @@ void vtkIlluminatedLineShader::Insert(std::map<vtkShader::Type, vtkShader*>& sha
     {
       HandOn(shaders, "float", "linePower");
     }
-    InsertBefore(fragment, "//VTK::Light::Dec", this->GetSource());
-    InsertBefore(fragment, "//VTK::Light::Impl", PixelLight);
+    InsertBefore(fragment, "//VTK::Light::Impl",
+      "  vec3 lineDiffuseVSOutput;\n"
+      "  vec3 lineSpecularVSOutput;\n");
   }
+  vtkShader* lit = this->IsFine ? vertex : fragment;
+  InsertBefore(lit, "//VTK::Light::Dec", this->GetSource());
+  InsertBefore(lit, "//VTK::Light::Impl", LineLight);
+  InsertBefore(fragment, "//VTK::Light::Impl", LitColor);
   if (this->IsOpaque)
   {
     std::string source = fragment->GetSource();

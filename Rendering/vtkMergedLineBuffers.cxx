@@ -5,6 +5,7 @@
 #include "vtkLineMerging.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -20,7 +21,10 @@ constexpr std::size_t MostEntries = 4;
 vtkMergedLineBuffers::vtkMergedLineBuffers() = default;
 
 //------------------------------------------------------------------------------
-vtkMergedLineBuffers::~vtkMergedLineBuffers() = default;
+vtkMergedLineBuffers::~vtkMergedLineBuffers()
+{
+  this->ReleaseGraphicsResources();
+}
 
 //------------------------------------------------------------------------------
 void vtkMergedLineBuffers::SetData(vtkPolyData* data)
@@ -46,7 +50,7 @@ double vtkMergedLineBuffers::GetLongestSegment(vtkPolyData* data)
 
 //------------------------------------------------------------------------------
 vtkOpenGLIndexBufferObject* vtkMergedLineBuffers::Get(
-  vtkPolyData* data, double length, std::size_t allIndices)
+  vtkOpenGLRenderWindow* window, vtkPolyData* data, double length, std::size_t allIndices)
 {
   if (!(length > 0.0) || !std::isfinite(length))
   {
@@ -64,6 +68,7 @@ vtkOpenGLIndexBufferObject* vtkMergedLineBuffers::Get(
 
   const std::vector<unsigned int> indices =
     vtkLineMerging::GetIndices(data, std::exp2(0.25 * level));
+  this->Window = window;
   Entry entry{ level, nullptr };
   if (indices.size() * 10 < allIndices * 9)
   {
@@ -86,12 +91,18 @@ vtkOpenGLIndexBufferObject* vtkMergedLineBuffers::Get(
 //------------------------------------------------------------------------------
 void vtkMergedLineBuffers::ReleaseGraphicsResources()
 {
-  for (Entry& entry : this->Entries)
+  if (this->Window)
   {
-    if (entry.Buffer)
+    this->Window->PushContext();
+    for (Entry& entry : this->Entries)
     {
-      entry.Buffer->ReleaseGraphicsResources();
+      if (entry.Buffer)
+      {
+        entry.Buffer->ReleaseGraphicsResources();
+      }
     }
+    this->Window->PopContext();
+    this->Window = nullptr;
   }
   this->Entries.clear();
   this->Data = nullptr;

@@ -13,10 +13,12 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWeakPointer.h"
 
 #include <list>
 
 class vtkOpenGLIndexBufferObject;
+class vtkOpenGLRenderWindow;
 class vtkPolyData;
 
 class vtkMergedLineBuffers
@@ -28,14 +30,15 @@ public:
   /**
    * The lines of the data with pieces of at most this length, or nullptr where merging would leave
    * out less than a tenth of the indices. Made anew where the data changed; four are kept. The
-   * context in which they are made is current.
+   * window's context is the current one.
    */
-  vtkOpenGLIndexBufferObject* Get(vtkPolyData* data, double length, std::size_t allIndices);
+  vtkOpenGLIndexBufferObject* Get(
+    vtkOpenGLRenderWindow* window, vtkPolyData* data, double length, std::size_t allIndices);
 
   /// vtkLineMerging::GetLongestSegment(), computed again where the data changed.
   double GetLongestSegment(vtkPolyData* data);
 
-  /// Release all, in the context in which they were made.
+  /// Release all, in the context in which they were made, whichever is the current one.
   void ReleaseGraphicsResources();
 
 private:
@@ -54,6 +57,8 @@ private:
   const void* Data = nullptr;
   vtkMTimeType DataTime = 0;
   double LongestSegment = -1.0; ///< negative: not known
+  // In whose context the buffers are.
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   // The last one used first.
   std::list<Entry> Entries;
 };

@@ -105,15 +105,34 @@ vtkVoxelLineFrameBuilder::Grid vtkVoxelLinePainter::GetGrid(const Scene& scene, 
 }
 
 //------------------------------------------------------------------------------
-vtkVoxelLineViews::Tubes vtkVoxelLinePainter::GetTubes(const Scene& scene)
+vtkVoxelLineViews::Tubes vtkVoxelLinePainter::GetTubes(const Scene& scene, Warnings& warnings)
 {
   vtkVoxelLineViews::Tubes tubes;
-  Warnings ignored; // a picture tells them
-  tubes.Grid = GetGrid(scene, ignored);
+  tubes.Grid = GetGrid(scene, warnings);
   tubes.SmallestRadius = std::min(scene.SmallestRadius / tubes.Grid.VoxelSize, tubes.Grid.Margin);
   tubes.LargestWidening = vtkVoxelLineFrameBuilder::GetLargestWidening(
     tubes.Grid, static_cast<double>(scene.Model->GetNumberOfSegments()));
   return tubes;
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLinePainter::Widen(const Scene& scene, const vtkVoxelLineViews::Tubes& tubes,
+  vtkVoxelLineFrame& frame, Warnings& warnings)
+{
+  frame.Radius = static_cast<float>(tubes.Grid.Margin);
+  const bool isLimited = vtkVoxelLineFrameBuilder::SetWidths(
+    frame, tubes.SmallestRadius, scene.Mapper->GetSubPixelCoverage(), tubes.LargestWidening);
+  // Where all lines lie within a few pixels, there is nothing to be told apart.
+  const int longest = *std::max_element(tubes.Grid.Dimensions, tubes.Grid.Dimensions + 3);
+  if (isLimited && 8.0 * tubes.LargestWidening < longest)
+  {
+    std::ostringstream message;
+    message
+      << "Pixels are more than " << 2.0 * tubes.LargestWidening
+      << " voxels wide: for speed, some lines are missed and others are drawn less transparent"
+         " in exchange. Lower the Resolution for views from so far away.";
+    warnings[HugePixels] = message.str();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -127,16 +146,18 @@ bool vtkVoxelLinePainter::IsLeftToTranslucentPass(
   }
   int viewport[4] = { 0, 0, 0, 0 };
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  const bool found =
-    this->Views.FindThinTubes(this->Frames, renderer, actor, viewport + 2, GetTubes(scene));
+  Warnings ignored; // a picture tells them
+  const bool found = this->Views.FindThinTubes(
+    this->Frames, renderer, actor, viewport + 2, GetTubes(scene, ignored));
   return found && !actor->IsRenderingTranslucentPolygonalGeometry() && !actor->GetForceOpaque();
 }
 
 //------------------------------------------------------------------------------
 bool vtkVoxelLinePainter::HasThinTubes(const Scene& scene)
 {
+  Warnings ignored; // a picture tells them
   return scene.Mapper->GetSubPixelCoverage() &&
-    this->Views.HaveThinTubes(this->Frames, GetTubes(scene));
+    this->Views.HaveThinTubes(this->Frames, GetTubes(scene, ignored));
 }
 
 //------------------------------------------------------------------------------
@@ -186,7 +207,8 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
   wanted.Engine = ChooseEngine(scene.Mapper->GetEngine(), window);
   this->EngineInUse = wanted.Engine;
 
-  const vtkVoxelLineFrameBuilder::Grid grid = GetGrid(scene, warnings);
+  const vtkVoxelLineViews::Tubes tubes = GetTubes(scene, warnings);
+  const vtkVoxelLineFrameBuilder::Grid& grid = tubes.Grid;
   const vtkVoxelLineFrameBuilder::View view =
     vtkVoxelLineFrameBuilder::GetView(renderer, actor, viewport[2], viewport[3]);
   vtkVoxelLineFrame& frame = wanted.Frame;
@@ -203,21 +225,7 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
     warnings[BadPower] = "The property's SpecularPower is not a number from 0 on; 1 is taken.";
   }
   vtkVoxelLineColoring::SetColors(frame, scene.Mapper, scene.Model);
-  frame.Radius = static_cast<float>(grid.Margin);
-  const vtkVoxelLineViews::Tubes tubes = GetTubes(scene);
-  const bool isLimited = vtkVoxelLineFrameBuilder::SetWidths(
-    frame, tubes.SmallestRadius, scene.Mapper->GetSubPixelCoverage(), tubes.LargestWidening);
-  // Where all lines lie within a few pixels, there is nothing to be told apart.
-  const int longest = *std::max_element(grid.Dimensions, grid.Dimensions + 3);
-  if (isLimited && 8.0 * tubes.LargestWidening < longest)
-  {
-    std::ostringstream message;
-    message
-      << "Pixels are more than " << 2.0 * tubes.LargestWidening
-      << " voxels wide: for speed, some lines are missed and others are drawn less transparent"
-         " in exchange. Lower the Resolution for views from so far away.";
-    warnings[HugePixels] = message.str();
-  }
+  Widen(scene, tubes, frame, warnings);
   const double early = scene.Mapper->GetEarlyTermination();
   frame.EarlyTermination = early < 1.0 ? static_cast<float>(early) : NeverEarly;
 
@@ -362,7 +370,8 @@ std::string vtkVoxelLinePainter::DrawNumbers(const Scene& scene, vtkHardwareSele
   wanted.ModelTime = scene.Model->GetMTime();
   wanted.Frame.Picking = true;
   Warnings ignored; // the picture has told them
-  const vtkVoxelLineFrameBuilder::Grid grid = GetGrid(scene, ignored);
+  const vtkVoxelLineViews::Tubes tubes = GetTubes(scene, ignored);
+  const vtkVoxelLineFrameBuilder::Grid& grid = tubes.Grid;
   std::string error = vtkVoxelLineFrameBuilder::SetView(wanted.Frame, view, grid);
   if (!error.empty())
   {
@@ -370,10 +379,7 @@ std::string vtkVoxelLinePainter::DrawNumbers(const Scene& scene, vtkHardwareSele
   }
   vtkVoxelLineFrameBuilder::SetClippingPlanes(
     wanted.Frame, scene.Mapper->GetClippingPlanes(), view, grid);
-  wanted.Frame.Radius = static_cast<float>(grid.Margin);
-  const vtkVoxelLineViews::Tubes tubes = GetTubes(scene);
-  vtkVoxelLineFrameBuilder::SetWidths(
-    wanted.Frame, tubes.SmallestRadius, scene.Mapper->GetSubPixelCoverage(), tubes.LargestWidening);
+  Widen(scene, tubes, wanted.Frame, ignored);
 
   // The selector draws the scene once per number; one picture serves for all.
   if (!this->LastPick.IsSame(wanted))

@@ -123,7 +123,9 @@ private:
   };
 
   void ReleaseTimer();
-  static vtkVoxelLineViews::Tubes GetTubes(const Scene& scene);
+  static vtkVoxelLineViews::Tubes GetTubes(const Scene& scene, Warnings& warnings);
+  static void Widen(const Scene& scene, const vtkVoxelLineViews::Tubes& tubes,
+    vtkVoxelLineFrame& frame, Warnings& warnings);
   static vtkVoxelLineFrameBuilder::Grid GetGrid(const Scene& scene, Warnings& warnings);
   std::string DrawPicture(const Scene& scene, vtkRenderer* renderer, vtkActor* actor,
     vtkOpenGLRenderWindow* window, const int viewport[4], Warnings& warnings);
