@@ -3,23 +3,20 @@
 #include "vtkVoxelLineMapper.h"
 
 #include "vtkActor.h"
-#include "vtkCellData.h"
 #include "vtkCommand.h"
-#include "vtkDataObject.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
+#include "vtkLineGlobalIllumination.h"
 #include "vtkLineIllumination.h"
 #include "vtkLineVoxelizer.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkTimerLog.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVoxelLineColoring.h"
 #include "vtkVoxelLineModel.h"
+#include "vtkVoxelLineModelSource.h"
 #include "vtkVoxelLinePainter.h"
 
 #include <algorithm>
@@ -29,9 +26,6 @@
 
 namespace
 {
-// The array that colours the lines, in the copy of the input that the voxelizer gets.
-constexpr const char* AttributeName = "vtkVoxelLineMapperAttribute";
-
 // Automatic radius: this part of the longest side of the bounds.
 constexpr double AutomaticRadius = 1.0 / 512.0;
 
@@ -42,98 +36,33 @@ double GetLongestSide(const double bounds[6])
 {
   return std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
 }
-
-// The smallest byte of a model's radii, but for segments without any width.
-int FindSmallestByte(vtkVoxelLineModel* model)
-{
-  vtkUnsignedCharArray* radii = model->GetRadii();
-  const unsigned char* bytes = radii->GetPointer(0);
-  int smallest = 255;
-  for (vtkIdType i = 0; i + 1 < radii->GetNumberOfValues(); i += 2)
-  {
-    const int least = std::min(bytes[i], bytes[i + 1]);
-    smallest = bytes[i] + bytes[i + 1] > 0 ? std::min(smallest, least) : smallest;
-  }
-  return smallest;
-}
 }
 
 class vtkVoxelLineMapper::vtkInternals
 {
 public:
-  vtkSmartPointer<vtkLineVoxelizer> Voxelizer = vtkSmartPointer<vtkLineVoxelizer>::New();
-  vtkSmartPointer<vtkVoxelLineModel> Model;
+  vtkVoxelLineModelSource Source;
   vtkVoxelLinePainter Painter;
   vtkSmartPointer<vtkLineIllumination> Illumination = vtkSmartPointer<vtkLineIllumination>::New();
-
-  // What the voxelizer's input was made of.
-  vtkSmartPointer<vtkPolyData> Input;
-  vtkMTimeType InputTime = 0;
-  vtkVoxelLineColoring::Source Source;
-
-  // Answer of HasTranslucentColors() for the model at a time.
-  vtkVoxelLineModel* TranslucencyModel = nullptr;
-  vtkMTimeType TranslucencyTime = 0;
-  bool TranslucentColors = false;
+  vtkSmartPointer<vtkLineGlobalIllumination> GlobalIllumination =
+    vtkSmartPointer<vtkLineGlobalIllumination>::New();
 
   // What has been said, so that it is said once.
   std::string LastError;
   std::string LastColorWarning;
   std::set<std::pair<vtkMTimeType, int>> Warned;
 
-  // Draw another model than that of lines. What was made of lines is let go, with a new voxelizer:
-  // the old one's output is left to whom GetModel() gave it.
-  void SetSharedModel(vtkVoxelLineModel* model)
-  {
-    if (this->Input)
-    {
-      this->Voxelizer = vtkSmartPointer<vtkLineVoxelizer>::New();
-    }
-    this->Input = nullptr;
-    this->Source = vtkVoxelLineColoring::Source();
-    this->Model = model;
-  }
-
-  // Answer of GetSmallestRadius() for the model at a time.
-  vtkVoxelLineModel* RadiusModel = nullptr;
-  vtkMTimeType RadiusTime = 0;
-  double SmallestRadius = 0.0;
-
-  // The smallest radius of a model that has radii; what is invisible does not count.
-  double GetSmallestRadius()
-  {
-    if (this->RadiusModel != this->Model || this->RadiusTime != this->Model->GetMTime())
-    {
-      this->RadiusModel = this->Model;
-      this->RadiusTime = this->Model->GetMTime();
-      this->SmallestRadius =
-        this->Model->GetMaximumRadius() * FindSmallestByte(this->Model) / 255.0;
-    }
-    return this->SmallestRadius;
-  }
-
-  bool HasTranslucentColors()
-  {
-    if (this->Model &&
-      (this->TranslucencyModel != this->Model || this->TranslucencyTime != this->Model->GetMTime()))
-    {
-      this->TranslucencyModel = this->Model;
-      this->TranslucencyTime = this->Model->GetMTime();
-      this->TranslucentColors = vtkVoxelLineColoring::HasTranslucentColors(this->Model);
-    }
-    return this->Model && this->TranslucentColors;
-  }
-
   // What the painter needs to know of the mapper that these belong to, for a model that is valid.
   vtkVoxelLinePainter::Scene DescribeScene(vtkVoxelLineMapper* mapper)
   {
     vtkVoxelLinePainter::Scene scene;
     scene.Mapper = mapper;
-    scene.Model = this->Model;
-    scene.Input = this->Input;
+    scene.Model = this->Source.GetModel();
+    scene.Input = this->Source.GetLines();
     scene.Radius = mapper->GetRadiusInUse();
-    scene.SmallestRadius = this->Model->GetRadii() ? this->GetSmallestRadius() : scene.Radius;
-    scene.TranslucentColors = this->HasTranslucentColors();
+    scene.SmallestRadius =
+      scene.Model->GetRadii() ? this->Source.GetSmallestRadius() : scene.Radius;
+    scene.TranslucentColors = this->Source.HasTranslucentColors();
     return scene;
   }
 };
@@ -144,7 +73,7 @@ vtkStandardNewMacro(vtkVoxelLineMapper);
 vtkVoxelLineMapper::vtkVoxelLineMapper()
   : Internals(new vtkInternals)
 {
-  this->InteriorTolerance = this->Internals->Voxelizer->GetInteriorTolerance();
+  this->InteriorTolerance = this->Internals->Source.GetDefaultInteriorTolerance();
 }
 
 //------------------------------------------------------------------------------
@@ -272,9 +201,27 @@ vtkLineIllumination* vtkVoxelLineMapper::GetIllumination()
 }
 
 //------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetGlobalIllumination(vtkLineGlobalIllumination* illumination)
+{
+  if (illumination != this->Internals->GlobalIllumination || !illumination)
+  {
+    this->Internals->GlobalIllumination =
+      illumination ? illumination : vtkSmartPointer<vtkLineGlobalIllumination>::New().Get();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkLineGlobalIllumination* vtkVoxelLineMapper::GetGlobalIllumination()
+{
+  return this->Internals->GlobalIllumination;
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkVoxelLineMapper::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->Internals->Illumination->GetMTime());
+  return std::max({ this->Superclass::GetMTime(), this->Internals->Illumination->GetMTime(),
+    this->Internals->GlobalIllumination->GetMTime() });
 }
 
 //------------------------------------------------------------------------------
@@ -305,92 +252,30 @@ int vtkVoxelLineMapper::FillInputPortInformation(int vtkNotUsed(port), vtkInform
 //------------------------------------------------------------------------------
 vtkVoxelLineModel* vtkVoxelLineMapper::GetModel()
 {
-  vtkInternals& internals = *this->Internals;
+  vtkVoxelLineModelSource& source = this->Internals->Source;
   if (this->GetNumberOfInputConnections(0) == 0)
   {
-    internals.SetSharedModel(nullptr);
+    source.SetModel(nullptr);
     return nullptr;
   }
   // Does nothing where Static is on.
   this->Update();
   vtkDataObject* input = this->GetExecutive()->GetInputData(0, 0);
-  if (auto* model = vtkVoxelLineModel::SafeDownCast(input))
+  if (auto* lines = vtkPolyData::SafeDownCast(input))
   {
-    internals.SetSharedModel(model);
-    this->ModelBuildTime = 0.0;
-  }
-  else if (auto* lines = vtkPolyData::SafeDownCast(input))
-  {
-    this->BuildModel(lines);
+    std::string warning = this->Internals->LastColorWarning;
+    const double seconds = source.Build(this, lines,
+      { this->Resolution, this->FaceBins, this->InteriorTolerance, this->RadiusArrayName },
+      warning);
+    this->ModelBuildTime = seconds >= 0.0 ? seconds : this->ModelBuildTime;
+    this->WarnOnce(this->Internals->LastColorWarning, warning);
   }
   else
   {
-    internals.SetSharedModel(nullptr);
+    source.SetModel(vtkVoxelLineModel::SafeDownCast(input));
+    this->ModelBuildTime = input ? 0.0 : this->ModelBuildTime;
   }
-  return internals.Model;
-}
-
-//------------------------------------------------------------------------------
-void vtkVoxelLineMapper::BuildModel(vtkPolyData* lines)
-{
-  vtkInternals& internals = *this->Internals;
-  const bool sameInput =
-    internals.Input == lines && internals.InputTime == lines->GetMTime() && internals.Model;
-  // Attributes that are not shown are neither made nor, where they have been made, thrown away.
-  vtkVoxelLineColoring::Source source;
-  if (this->ScalarVisibility)
-  {
-    source = vtkVoxelLineColoring::Select(this, lines);
-    this->WarnOnce(internals.LastColorWarning,
-      source.Warning.empty() ? source.Warning
-                             : source.Warning + "; the lines get the property's colour instead.");
-  }
-  else if (sameInput)
-  {
-    source = internals.Source;
-  }
-
-  if (!sameInput || !(source == internals.Source))
-  {
-    vtkNew<vtkPolyData> copy;
-    copy->ShallowCopy(lines);
-    vtkSmartPointer<vtkDataArray> array = vtkVoxelLineColoring::Convert(this, source);
-    if (array)
-    {
-      // Under a name of its own, without changing the array of the input.
-      auto named = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
-      named->ShallowCopy(array);
-      named->SetName(AttributeName);
-      vtkDataSetAttributes* data = source.PerCell
-        ? static_cast<vtkDataSetAttributes*>(copy->GetCellData())
-        : static_cast<vtkDataSetAttributes*>(copy->GetPointData());
-      data->AddArray(named);
-      internals.Voxelizer->SetInputArrayToProcess(0, 0, 0,
-        source.PerCell ? vtkDataObject::FIELD_ASSOCIATION_CELLS
-                       : vtkDataObject::FIELD_ASSOCIATION_POINTS,
-        AttributeName);
-    }
-    internals.Voxelizer->SetGenerateAttributes(array != nullptr);
-    internals.Voxelizer->SetInputDataObject(copy);
-    internals.Input = lines;
-    internals.InputTime = lines->GetMTime();
-    internals.Source = source;
-  }
-  internals.Voxelizer->SetResolution(this->Resolution);
-  internals.Voxelizer->SetFaceBins(this->FaceBins);
-  internals.Voxelizer->SetInteriorTolerance(this->InteriorTolerance);
-  internals.Voxelizer->SetRadiusArrayName(this->RadiusArrayName);
-  internals.Voxelizer->SetAttributeComponent(source.Component);
-  internals.Voxelizer->SetDirectColors(source.Direct);
-
-  const vtkMTimeType before = internals.Model ? internals.Model->GetMTime() : 0;
-  const double start = vtkTimerLog::GetUniversalTime();
-  internals.Voxelizer->Update();
-  internals.Model = internals.Voxelizer->GetOutput();
-  if (internals.Model && internals.Model->GetMTime() != before)
-  {
-    this->ModelBuildTime = vtkTimerLog::GetUniversalTime() - start;
-  }
+  return source.GetModel();
 }
 
 //------------------------------------------------------------------------------
@@ -401,7 +286,7 @@ void vtkVoxelLineMapper::WarnOnce(std::string& last, const std::string& warning)
     last = warning;
     if (!warning.empty())
     {
-      vtkWarningMacro(<< warning);
+      vtkWarningMacro(<< warning << "; the lines get the property's colour instead.");
     }
   }
 }
@@ -475,7 +360,7 @@ bool vtkVoxelLineMapper::HasTranslucentPolygonalGeometry()
   vtkVoxelLineFrame frame;
   vtkVoxelLineColoring::SetColors(frame, this, model);
   const bool translucent = frame.Coloring == vtkVoxelLineFrame::Direct
-    ? this->Internals->HasTranslucentColors()
+    ? this->Internals->Source.HasTranslucentColors()
     : !frame.IsOpaque();
   return translucent ||
     (model->GetNumberOfSegments() > 0 && model->FindDefect().empty() &&
@@ -578,6 +463,7 @@ void vtkVoxelLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetEarlyTermination(other->EarlyTermination);
     this->SetEngine(other->Engine);
     this->SetIllumination(other->GetIllumination());
+    this->SetGlobalIllumination(other->GetGlobalIllumination());
     this->SetSubPixelCoverage(other->SubPixelCoverage);
   }
   this->Superclass::ShallowCopy(mapper);
@@ -597,15 +483,17 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SubPixelCoverage: " << (this->SubPixelCoverage ? "On" : "Off") << "\n";
   os << indent << "Illumination:\n";
   this->Internals->Illumination->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "GlobalIllumination:\n";
+  this->Internals->GlobalIllumination->PrintSelf(os, indent.GetNextIndent());
   os << indent << "EngineInUse: " << this->EngineInUse << "\n";
   os << indent << "ModelBuildTime: " << this->ModelBuildTime << "\n";
   os << indent << "NumberOfPictures: " << this->GetNumberOfPictures() << "\n";
   os << indent << "GraphicsMemory: " << this->GetGraphicsMemory() << "\n";
   os << indent << "Model: ";
-  if (this->Internals->Model)
+  if (this->Internals->Source.GetModel())
   {
     os << "\n";
-    this->Internals->Model->PrintSelf(os, indent.GetNextIndent());
+    this->Internals->Source.GetModel()->PrintSelf(os, indent.GetNextIndent());
   }
   else
   {

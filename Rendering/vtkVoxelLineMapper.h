@@ -70,6 +70,7 @@
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+class vtkLineGlobalIllumination;
 class vtkLineIllumination;
 class vtkVoxelLineModel;
 
@@ -182,6 +183,16 @@ public:
 
   ///@{
   /**
+   * Shadows and ambient occlusion; may be shared by several mappers. Default: an object of the
+   * mapper's own with the defaults of vtkLineGlobalIllumination, by which there are none; nullptr
+   * brings such a one back.
+   */
+  virtual void SetGlobalIllumination(vtkLineGlobalIllumination* illumination);
+  vtkLineGlobalIllumination* GetGlobalIllumination();
+  ///@}
+
+  ///@{
+  /**
    * Whether tubes that are thinner than a pixel are drawn one pixel wide with the opacity
    * multiplied by the part of that width which they cover, and lit by the average over their width
    * (Mallo, Peikert, Sigg and Sadlo, "Illuminated Lines Revisited", 2005, Sec. 2.2); between one
@@ -245,7 +256,7 @@ public:
   /// Selection works as the class description tells.
   bool GetSupportsSelection() override { return true; }
 
-  /// Modification time of the mapper, its lookup table and its illumination.
+  /// Modification time of the mapper, its lookup table, its illumination and global illumination.
   vtkMTimeType GetMTime() override;
 
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
@@ -278,7 +289,6 @@ private:
   vtkVoxelLineMapper(const vtkVoxelLineMapper&) = delete;
   void operator=(const vtkVoxelLineMapper&) = delete;
 
-  void BuildModel(vtkPolyData* lines);
   void WarnOnce(std::string& last, const std::string& warning);
   void ErrorOnce(const std::string& error);
 
