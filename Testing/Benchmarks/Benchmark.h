@@ -10,13 +10,14 @@
 
 #include "BenchmarkMethod.h"
 #include "BenchmarkOptions.h"
-#include "Capsule.h"
+#include "MovingLines.h"
+#include "PictureJudge.h"
 
-#include <memory> // For the methods
-#include <string> // For names
-#include <vector> // For the methods
+#include <functional> // For steps
+#include <memory>     // For the moving lines
+#include <string>     // For names
+#include <vector>     // For the methods
 
-class vtkImageData;
 class vtkRenderWindow;
 
 namespace linesets
@@ -34,28 +35,24 @@ public:
   std::vector<std::string> GetResults() const;
 
 private:
-  struct Entry;
   void MakeInput();
   void MakeWindow();
-  void SetView(int frame);
+  void MakeEntries();
   double DrawFrame(BenchmarkMethod& method);
   void Attempt(
-    BenchmarkMethod& method, const std::string& stage, void (Benchmark::*step)(BenchmarkMethod&));
+    BenchmarkMethod& method, const std::string& stage, const std::function<void()>& step);
   void PrepareMethod(BenchmarkMethod& method);
   void DrawFirstFrame(BenchmarkMethod& method);
   void DrawTimedFrame(BenchmarkMethod& method);
-  void TakePicture(BenchmarkMethod& method);
-  void Judge();
-  void DrawReference(
-    const CapsuleScene& scene, BenchmarkMethod& method, vtkImageData* picture) const;
-  std::string Describe(Entry& entry);
-  double GetPeerMedian(const std::string& name) const;
+  void DrawTimedFrames();
+  void TakePicture(BenchmarkEntry& entry);
+  void TakePictures();
 
-  const BenchmarkOptions& Options;
   BenchmarkInput Input;
+  std::unique_ptr<MovingLines> Moving; // null: the lines stay
   std::string RendererName;
   vtkSmartPointer<vtkRenderWindow> Window;
-  std::vector<Entry> Entries;
+  std::vector<BenchmarkEntry> Entries;
   std::vector<std::string> Results;
 };
 }

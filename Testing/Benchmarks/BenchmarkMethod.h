@@ -9,15 +9,19 @@
 #ifndef BenchmarkMethod_h
 #define BenchmarkMethod_h
 
+#include "BenchmarkOptions.h"
+
 #include "vtkNew.h"          // For members
 #include "vtkSmartPointer.h" // For members
 
+#include <chrono> // For times
 #include <memory> // For the factory
 #include <string> // For names
 #include <vector> // For times
 
 class vtkActor;
 class vtkCamera;
+class vtkLight;
 class vtkLookupTable;
 class vtkPolyData;
 class vtkPolyDataMapper;
@@ -31,21 +35,19 @@ class JsonObject;
 /// What all methods draw.
 struct BenchmarkInput
 {
+  BenchmarkOptions Options;
+  /// The lines of the current frame.
   vtkSmartPointer<vtkPolyData> Lines;
+  /// Bounds of the lines at rest, in units of the data.
+  double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   vtkSmartPointer<vtkCamera> Camera;
+  /// Null where the headlight that VTK makes is the light.
+  vtkSmartPointer<vtkLight> Light;
   /// Null where the lines have no colours of their own.
   vtkSmartPointer<vtkLookupTable> Table;
   double Radius = 0.0;
   double PixelRadius = 0.0; ///< the radius at the focal point, in pixels
-  double Opacity = 1.0;
-  int Resolution = 256;
-  int FaceBins = 32;
-  int Peels = 0; ///< 0: no limit
-  double LineWidth = 1.0; ///< of lines, in pixels
-  bool Stretch = false;   ///< the dynamic range of illuminated lines
-  bool LightFromRight = false;
-  bool Plain = false; ///< one colour on a dark background
-  /// Tubes, made by the first method that needs them, and the time that took.
+  /// Tubes at rest, made by the first method that needs them, and the time that took.
   vtkSmartPointer<vtkPolyData> Tubes;
   double TubeMilliseconds = 0.0;
 };
@@ -59,6 +61,10 @@ public:
   /// Build what is drawn, before the first frame. Fills BuildMilliseconds.
   virtual void Prepare(BenchmarkInput& input) = 0;
 
+  /// Give new lines to the pipeline and bring it up to date. Returns the milliseconds in which it
+  /// made something else of them, NaN where they are drawn as they are.
+  virtual double Update(BenchmarkInput& input) = 0;
+
   /// Add the keys that only this method has; after the last frame.
   virtual void Describe(JsonObject& object) = 0;
 
@@ -69,12 +75,17 @@ public:
   vtkActor* GetActor() { return this->Actor; }
 
   std::string Name;
+  std::string Engine;   ///< the one asked for, or empty where there is no choice
   std::string FileName; ///< name that tells engines apart
   std::string Error;    ///< why it failed, or empty
   double BuildMilliseconds = 0.0;
   double FirstFrameMilliseconds = 0.0;
   std::vector<double> FrameMilliseconds;
   std::vector<double> ProcessorMilliseconds; ///< of all threads, per frame
+  /// What Update took, per frame, and the rest of the frame; empty where nothing moves or it
+  /// cannot be told.
+  std::vector<double> RebuildMilliseconds;
+  std::vector<double> DrawMilliseconds;
 
 protected:
   /// Set up the actor with a mapper.
@@ -87,8 +98,23 @@ protected:
 /// Names of all methods.
 std::vector<std::string> GetMethodNames();
 
-/// Make a method; `engine` is automatic, native or shader and counts for voxel only.
+/// Whether a method is drawn by vtkVoxelLineMapper, which has engines.
+bool IsVoxelMethod(const std::string& name);
+
+/// Whether a method has shadows, for which a headlight does not do.
+bool HasShadows(const std::string& name);
+
+/// Whether a method has shadows or ambient occlusion, which the exact pictures do not have.
+bool HasGlobalIllumination(const std::string& name);
+
+/// Make a method; `engine` is automatic, native or shader and counts for voxel methods only.
 std::unique_ptr<BenchmarkMethod> MakeMethod(const std::string& name, const std::string& engine);
+
+/// Wall clock time in milliseconds.
+double GetMilliseconds(std::chrono::steady_clock::time_point since);
+
+/// Segments of all lines.
+long long CountLineSegments(vtkPolyData* lines);
 }
 
 #endif

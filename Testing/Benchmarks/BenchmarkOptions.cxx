@@ -11,7 +11,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <ostream>
 #include <stdexcept>
 
 namespace linesets
@@ -163,6 +162,15 @@ std::map<std::string, Setter> GetSetters()
       [](O& o, const S& v) {
         o.Light = ToNames("--light", v, { "headlight", "right" }).front();
       } },
+    { "--shadow-level",
+      [](O& o, const S& v) { o.ShadowLevel = ToInt("--shadow-level", v, 1, 12); } },
+    { "--cone-angle",
+      [](O& o, const S& v) { o.ConeAngle = ToNumber("--cone-angle", v, 0.0, 60.0); } },
+    { "--occlusion-radius",
+      [](O& o, const S& v)
+      { o.OcclusionRadius = ToNumber("--occlusion-radius", v, 1.0, 4096.0); } },
+    { "--occlusion-samples",
+      [](O& o, const S& v) { o.OcclusionSamples = ToInt("--occlusion-samples", v, 1, 10000); } },
     { "--json", [](O& o, const S& v) { o.JsonFile = v; } },
     { "--image", [](O& o, const S& v) { o.ImagePrefix = v; } },
     { "--data", [](O& o, const S& v) { o.DataFolder = v; } },
@@ -174,7 +182,7 @@ std::map<std::string, bool BenchmarkOptions::*> GetFlags()
   return { { "--reference", &BenchmarkOptions::Reference },
     { "--reference-decoded", &BenchmarkOptions::DecodedReference },
     { "--stretch", &BenchmarkOptions::Stretch }, { "--plain", &BenchmarkOptions::Plain },
-    { "--help", &BenchmarkOptions::Help } };
+    { "--animate", &BenchmarkOptions::Animate }, { "--help", &BenchmarkOptions::Help } };
 }
 
 void CheckTogether(BenchmarkOptions& options)
@@ -200,6 +208,14 @@ void CheckTogether(BenchmarkOptions& options)
     options.Methods = options.Opacity < 1.0
       ? std::vector<std::string>{ "voxel", "oit" }
       : std::vector<std::string>{ "voxel", "tubes", "line-tubes" };
+  }
+  for (const std::string& name : options.Methods)
+  {
+    if (HasShadows(name) && options.Light == "headlight")
+    {
+      throw std::invalid_argument("--methods: " + name +
+        " needs --light right: a headlight casts no shadows that the camera sees");
+    }
   }
 }
 }
@@ -245,73 +261,5 @@ BenchmarkOptions ParseBenchmarkOptions(int argc, char* argv[])
     CheckTogether(options);
   }
   return options;
-}
-
-//------------------------------------------------------------------------------
-void PrintBenchmarkHelp(std::ostream& out)
-{
-  out << R"(linesets-bench SCENE [options]
-Times how fast line sets are drawn, by several methods in turn, frame by frame, in one run, and
-writes one JSON object per method.
-
-SCENE or --scene SCENE   )"
-      << Join(GetSceneNames()) << R"(,
-                         or a file of lines, .vtp or .vtk, coloured by its active point scalars
---lines N --vertices N   size of a named scene, in place of its own
---methods LIST           of )"
-      << Join(GetMethodNames()) << R"(, separated by commas
-                         (default voxel,tubes,line-tubes; below opacity 1 voxel,oit)
-  voxel                  vtkVoxelLineMapper
-  tubes                  vtkTubeFilter with 8 sides, back faces culled; translucent tubes are
-                         drawn as VTK does by default
-  peeling                the same by dual depth peeling, without a limit of peels
-  oit                    the same by VTK's order-independent translucency
-  line-tubes             lines as they are, with RenderLinesAsTubes of vtkProperty; the width is
-                         that of the tubes at the focal point
-  lines                  lines as VTK draws them, without light
-  illuminated            vtkIlluminatedLineMapper, cylinder averaging
-  illuminated-max        the same with maximum reflection
-  illuminated-blinn      the same with Blinn's highlights
-  illuminated-direct     the same without a table
---engine LIST            of automatic native shader, for voxel (default automatic); each gives an
-                         object of its own
---resolution N           voxels along the longest side of the bounds, for voxel (default 256)
---face-bins N            bins along a voxel's edge, for voxel (default 32; 0 for exact points)
---peels N                for peeling, at most N peels and the rest unsorted (default 0: no limit, which
-                         takes half as many passes over all tubes as there are layers, and hence
-                         minutes to hours for a frame of the large scenes on a processor; with
-                         a limit ratio_peeling is a lower bound)
---line-width W           of lines and illuminated lines, in pixels (default 1)
---samples N              samples per pixel (default 0: no multisampling; for the plain pass only)
---stretch                stretch the dynamic range of illuminated lines
---plain                  draw lines in one colour on a dark background, in place of scalars on white
---light LIGHT            headlight (default) or right: one light from the right of the camera
---radius R               of the tubes in units of the data (default: 1/512 of the longest side
-                         of the bounds, that is, half a voxel of 256)
---opacity A              0 to 1 (default 1)
---size WxH               of the image (default 1024x768)
---frames N               frames that count, after one that does not (default 5); the camera moves
-                         by 2 degrees from frame to frame
---threads N              of vtkSMPTools and of software OpenGL (default: all)
---reference              also compare each picture of the first view with an exact one: keys rmse,
-                         ssim. It has one ray per pixel, so that tubes thinner than a pixel, which
-                         voxel draws by what they cover, differ from it
---reference-decoded      for voxel, also with an exact picture of the model: key rmse_decoded
---json FILE              where the JSON goes (default: standard output)
---image PREFIX           write the pictures of the first view as PREFIX-METHOD.png
---data DIR               folder of carotid.vti
---help                   this text
-
-Keys: scene lines vertices method engine width height opacity radius frames median_ms min_ms max_ms cpu_ms
-build_ms first_frame_ms model_bytes gpu_bytes segments drawn peels rmse ssim rmse_decoded ratio_tubes
-ratio_peeling ratio_lines renderer vtk threads error. Keys that do not apply are left out. Times are wall clock
-times of a frame until OpenGL has finished, but cpu_ms is the median of the processor time of all threads,
-which other programs disturb less; build_ms is the time to make the model or the tubes,
-first_frame_ms that of the first frame after it, with uploads and shaders. drawn is the number of
-segments that illuminated lines drew after merging. gpu_bytes of tubes is
-computed from the arrays that VTK uploads. rmse is in [0,1]. A ratio is the median time of tubes,
-peeling or lines over that of the method. The exit status is 0 if all went well, 1 if a method failed, which
-its object tells as "error", and 2 for a wrong command line.
-)";
 }
 }

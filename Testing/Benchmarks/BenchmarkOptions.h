@@ -29,12 +29,17 @@ struct BenchmarkOptions
   int Threads = 0; ///< 0: all
   int Resolution = 256;
   int FaceBins = 32;
-  int Peels = 0; ///< 0: no limit
+  int Peels = 0;          ///< 0: no limit
   double LineWidth = 1.0; ///< pixels
   int Samples = 0;        ///< per pixel
   bool Stretch = false;
   bool Plain = false; ///< one colour on a dark background
   std::string Light = "headlight";
+  int ShadowLevel = 1;           ///< of voxel-line-shadow, 1 to 12
+  double ConeAngle = 10.0;       ///< of soft shadows, full, in degrees, 0 to 60
+  double OcclusionRadius = 15.0; ///< voxels, 1 to 4096
+  int OcclusionSamples = 64;     ///< rays per point of hemispheres, 1 to 10000
+  bool Animate = false;          ///< other lines in every frame
   bool Reference = false;
   bool DecodedReference = false;
   std::string JsonFile;

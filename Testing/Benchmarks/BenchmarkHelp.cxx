@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BenchmarkOptions.h"
+
+#include "BenchmarkMethod.h"
+#include "Scenes.h"
+
+#include <ostream>
+
+namespace linesets
+{
+namespace
+{
+// Names in lines that fit under the options' texts.
+std::string Wrap(const std::vector<std::string>& names)
+{
+  constexpr std::size_t width = 74;
+  const std::string indent = "\n" + std::string(25, ' ');
+  std::string text;
+  std::size_t length = 0;
+  for (const std::string& name : names)
+  {
+    const bool breaks = length + name.size() > width;
+    text += text.empty() ? "" : breaks ? indent : " ";
+    length = (breaks ? 0 : length) + name.size() + 1;
+    text += name;
+  }
+  return text;
+}
+
+void PrintOptions(std::ostream& out)
+{
+  out << R"(linesets-bench SCENE [options]
+Times how fast line sets are drawn, by several methods in turn, frame by frame, in one run, and
+writes one JSON object per method.
+
+SCENE or --scene SCENE   )"
+      << Wrap(GetSceneNames()) << R"(,
+                         or a file of lines, .vtp or .vtk, coloured by its active point scalars
+--lines N --vertices N   size of a named scene, in place of its own
+--methods LIST           of
+                         )"
+      << Wrap(GetMethodNames()) << R"(,
+                         separated by commas (default voxel,tubes,line-tubes; below opacity 1
+                         voxel,oit)
+  voxel                  vtkVoxelLineMapper
+  voxel-hard-shadow      the same with hard shadows; this and the next two and voxel-full need
+                         --light right, since a headlight casts no shadows that the camera sees
+  voxel-line-shadow      the same with shadows of the representative lines of a level
+  voxel-soft-shadow      the same with soft shadows
+  voxel-occlusion        the same with spherical ambient occlusion, per voxel
+  voxel-full             the same with soft shadows and spherical occlusion
+  voxel-hemisphere       the same with occlusion of hemispheres by densities, per pixel
+  voxel-hemisphere-tubes the same with occlusion of hemispheres by the tubes, per pixel
+  tubes                  vtkTubeFilter with 8 sides, back faces culled; translucent tubes are
+                         drawn as VTK does by default
+  peeling                the same by dual depth peeling, without a limit of peels
+  oit                    the same by VTK's order-independent translucency
+  line-tubes             lines as they are, with RenderLinesAsTubes of vtkProperty; the width is
+                         that of the tubes at the focal point
+  lines                  lines as VTK draws them, without light
+  illuminated            vtkIlluminatedLineMapper, cylinder averaging
+  illuminated-max        the same with maximum reflection
+  illuminated-blinn      the same with Blinn's highlights
+  illuminated-direct     the same without a table
+--engine LIST            of automatic native shader, for voxel methods (default automatic); each
+                         gives an object of its own
+--resolution N           voxels along the longest side of the bounds, for voxel methods (default
+                         256)
+--face-bins N            bins along a voxel's edge, for voxel methods (default 32; 0 for exact
+                         points)
+--light LIGHT            headlight (default), or right: one light in the scene, to the right of
+                         the camera as it stands in the first view. It stays there while the
+                         camera turns
+--shadow-level N         level of voxel-line-shadow, 1 to 12 (default 1)
+--cone-angle A           full angle of the cones of soft shadows, 0 to 60 degrees (default 10)
+--occlusion-radius R     how far occlusion reaches, 1 to 4096 voxels (default 15)
+--occlusion-samples N    rays per point for hemispheres, 1 to 10000 (default 64)
+--peels N                for peeling, at most N peels and the rest unsorted (default 0: no limit,
+                         which takes half as many passes over all tubes as there are layers, and
+                         hence minutes to hours for a frame of the large scenes on a processor;
+                         with a limit ratio_peeling is a lower bound)
+--line-width W           of lines and illuminated lines, in pixels (default 1)
+--samples N              samples per pixel (default 0: no multisampling; for the plain pass only)
+--stretch                stretch the dynamic range of illuminated lines
+--plain                  draw lines in one colour on a dark background, in place of scalars on
+                         white
+--radius R               of the tubes in units of the data (default: 1/512 of the longest side
+                         of the bounds, that is, half a voxel of 256)
+--opacity A              0 to 1 (default 1)
+--size WxH               of the image (default 1024x768)
+--frames N               frames that count, after one that does not (default 5); the camera moves
+                         by 2 degrees from frame to frame
+--animate                other lines in every frame that counts: points move along their lines
+                         and in a slow swirl about the vertical axis, the same in each run. New
+                         points, cells and arrays are made outside the times, and go through
+                         each method's pipeline as lines that were never seen before: models and
+                         tubes are made again, lines are uploaded
+--threads N              of vtkSMPTools and of software OpenGL (default: all)
+--reference              also compare each picture of the first view with an exact one: keys rmse,
+                         ssim. It has one ray per pixel, so that tubes thinner than a pixel, which
+                         voxel draws by what they cover, differ from it. It has neither shadows
+                         nor occlusion, so methods that have are not compared
+--reference-decoded      for voxel, also with an exact picture of the model: key rmse_decoded
+--json FILE              where the JSON goes (default: standard output)
+--image PREFIX           write the pictures of the first view as PREFIX-METHOD.png; with
+                         --animate, of the lines of the last frame
+--data DIR               folder of carotid.vti
+--help                   this text
+)";
+}
+
+void PrintKeys(std::ostream& out)
+{
+  out << R"(
+Keys: scene lines vertices method engine width height opacity radius light animated frames
+median_ms min_ms max_ms cpu_ms rebuild_ms draw_ms build_ms first_frame_ms model_bytes gpu_bytes
+segments drawn peels shadows shadow_level cone_angle occlusion occlusion_radius occlusion_samples
+rmse ssim rmse_decoded ratio_tubes ratio_peeling ratio_lines ratio_voxel renderer vtk threads error.
+Keys that do not apply are left out.
+
+Times are wall clock times of a frame until OpenGL has finished, but cpu_ms is the median of the
+processor time of all threads, which other programs disturb less; build_ms is the time to make the
+model or the tubes, first_frame_ms that of the first frame after it, with uploads and shaders.
+
+With --animate (animated is 1 then) median_ms, min_ms, max_ms and cpu_ms are of whole frames, from
+the new lines to the picture. rebuild_ms is the median of the part in which voxel methods made
+their model or tubes their triangles, draw_ms that of the rest of the frame; uploads and, where
+shadows or occlusion need them, levels and densities are in the rest. Lines are drawn as they are
+and have neither of the two.
+
+drawn is the number of segments that illuminated lines drew after merging. gpu_bytes of tubes is
+computed from the arrays that VTK uploads. rmse is in [0,1]. ratio_tubes, ratio_peeling and
+ratio_lines are the median time of tubes, peeling or lines over that of the method. ratio_voxel of
+a voxel method is the other way round, its median time over that of plain voxel with the same
+engine: what shadows and occlusion cost. The exit status is 0 if all went well, 1 if a method
+failed, which its object tells as "error", and 2 for a wrong command line.
+)";
+}
+}
+
+//------------------------------------------------------------------------------
+void PrintBenchmarkHelp(std::ostream& out)
+{
+  PrintOptions(out);
+  PrintKeys(out);
+}
+}
