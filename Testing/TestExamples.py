@@ -1,14 +1,18 @@
 # SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Guards the programs in Examples/: they read both formats of line files, take all their options,
-draw the same lines in C++ and Python, and refuse what they cannot do with a message.
+draw the same lines in C++ and Python under the same lights, and refuse what they cannot do
+with a message.
 
     TestExamples.py --render-lines PROGRAM --launcher SCRIPT --source FOLDER --scratch FOLDER
     TestExamples.py ... --lines FOLDER    draws every .vtp file of the folder instead
 """
 
 import argparse
+import math
+import operator
 import pathlib
+import statistics
 import subprocess
 import sys
 
@@ -56,6 +60,23 @@ def pixels(picture):
 def covered(picture):
     """Which pixels are not background."""
     return [color != (255, 255, 255) for color in pixels(picture)[1]]
+
+
+def light_of_shadows(name):
+    """What the light that casts shadows does to the brightness of each pixel of lines, in comparison
+    with the headlight. It depends less on colours, which are others in C++ and Python."""
+    lit, plain = (pixels(options.scratch / f"{name}{end}.png")[1] for end in ("-shadow", ""))
+    return [min(4, max(a) / max(*b, 1)) for a, b in zip(lit, plain) if b != (255, 255, 255)]
+
+
+def correlation(a, b):
+    """Pearson's coefficient."""
+    def center(values):
+        mean = statistics.fmean(values)
+        return [value - mean for value in values]
+
+    a, b = center(a), center(b)
+    return sum(map(operator.mul, a, b)) / math.hypot(*a) / math.hypot(*b)
 
 
 def refused(message, *arguments):
@@ -118,14 +139,30 @@ def test_examples():
         draw(lines, "--line-width", 2, "--size", "300x200", "--color-by", "speed", "--output", lit)
         share = sum(covered(lit)) / len(colors)
         assert 0.02 < share < 0.6 and pixels(lit)[1] != colors, f"{name}: {share} by lit lines"
+        shadow = options.scratch / f"{name}-shadow.png"
+        draw(lines, *common, "--color-by", "speed", "--shadows", "soft", "--occlusion", "spherical",
+             "--output", shadow)
+        assert covered(shadow) == covered(pictures[name]), f"{name}: shadows move lines"
+        assert pixels(shadow)[1] != colors, f"{name}: no light for shadows"
+        for option, values in (("--shadows", ("none", "hard", "level")),
+                               ("--occlusion", ("none", "spherical", "hemisphere"))):
+            for value in values:
+                other = options.scratch / f"{name}{option}-{value}.png"
+                draw(lines, *common, "--color-by", "speed", option, value, "--output", other)
+                assert covered(other) == covered(pictures[name]), f"{other}: other lines"
+                assert value != "none" or pixels(other)[1] == colors, f"{other}: not none"
         default = options.scratch / f"{name}-default.png"
         draw(lines, "--output", default)
         assert pixels(default)[0] == (1024, 768) and any(covered(default))
     assert covered(pictures["cxx"]) == covered(pictures["python"]), "C++ and Python differ"
     lit = [covered(options.scratch / f"{name}-lit.png") for name in pictures]
     assert lit[0] == lit[1], "lit lines in C++ and Python differ"
+    assert correlation(*(light_of_shadows(name) for name in pictures)) > 0.9, "other lights"
 
     refused("--line-width takes a number of pixels above 0", lines, "--line-width", 0)
+    refused("--shadows and --occlusion are for tubes", lines, "--line-width", 2, "--shadows", "soft")
+    refused("--shadows takes one of none hard level soft", lines, "--shadows", "dark")
+    refused("--occlusion takes one of none spherical hemisphere", lines, "--occlusion", "hard")
     refused("there is no array", lines, "--color-by", "nothing")
     refused("--size takes", lines, "--size", "300")
     refused("--radius takes a number", lines, "--radius", "wide")

@@ -9,8 +9,11 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter)
+    vtkActor, vtkLight, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter)
 
+# In the order of the values of vtkLineGlobalIllumination.
+SHADOWS = ("none", "hard", "level", "soft")
+OCCLUSIONS = ("none", "spherical", "hemisphere")
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("file")
 parser.add_argument("--radius", type=float, default=0.0, help="in data units; 0: by size")
@@ -18,9 +21,13 @@ parser.add_argument("--line-width", type=float, metavar="W",
                     help="draw lines of so many pixels in place of tubes")
 parser.add_argument("--opacity", type=float, default=1.0)
 parser.add_argument("--color-by", metavar="ARRAY", help="of points or cells; vectors by magnitude")
+parser.add_argument("--shadows", choices=SHADOWS, default="none")
+parser.add_argument("--occlusion", choices=OCCLUSIONS, default="none")
 parser.add_argument("--size", default="1024x768", metavar="WxH")
 parser.add_argument("--output", metavar="PNG", help="without it, a window opens")
 options = parser.parse_args()
+if options.line_width is not None and (options.shadows, options.occlusion) != ("none", "none"):
+    parser.error("--shadows and --occlusion are for tubes, not for --line-width")
 
 reader = vtkPolyDataReader() if options.file.endswith(".vtk") else vtkXMLPolyDataReader()
 reader.SetFileName(options.file)
@@ -29,6 +36,8 @@ lines = reader.GetOutput()
 if options.line_width is None:
     mapper = vtkVoxelLineMapper()
     mapper.SetRadius(options.radius)
+    mapper.GetGlobalIllumination().SetShadows(SHADOWS.index(options.shadows))
+    mapper.GetGlobalIllumination().SetOcclusion(OCCLUSIONS.index(options.occlusion))
 else:
     mapper = vtkIlluminatedLineMapper()
 mapper.SetInputData(lines)
@@ -55,6 +64,21 @@ window.SetOffScreenRendering(options.output is not None)
 renderer.GetActiveCamera().SetPosition(0, -1, 0.3)
 renderer.GetActiveCamera().SetViewUp(0, 0, 1)
 renderer.ResetCameraScreenSpace()
+if options.shadows != "none":
+    # The headlight that VTK makes by itself casts no shadows that are seen: what lies in them lies
+    # behind what casts them, for the camera as well. So a light is put into the scene, to the upper
+    # right of the first view, where it stays while the camera moves. A weak headlight keeps what is
+    # in the shadow from being black.
+    camera, sun, fill = renderer.GetActiveCamera(), vtkLight(), vtkLight()
+    # In coordinates in which the camera looks from (0, 0, 1) to the origin.
+    sun.SetPosition(camera.GetCameraLightTransformMatrix().MultiplyPoint((1, 1, 1, 1))[:3])
+    sun.SetFocalPoint(camera.GetFocalPoint())
+    sun.SetLightTypeToSceneLight()
+    sun.SetIntensity(0.8)
+    fill.SetLightTypeToHeadlight()
+    fill.SetIntensity(0.25)
+    renderer.AddLight(sun)
+    renderer.AddLight(fill)
 window.Render()
 if options.output:
     picture, writer = vtkWindowToImageFilter(), vtkPNGWriter()

@@ -3,15 +3,18 @@
 /**
  * Draws the lines of a file as tubes or as lit lines, into a window or a picture.
  *
- *   RenderLines FILE [--radius R | --line-width W] [--opacity A] [--color-by ARRAY] [--size WxH]
+ *   RenderLines FILE [--radius R | --line-width W] [--opacity A] [--color-by ARRAY]
+ *     [--shadows none|hard|level|soft] [--occlusion none|spherical|hemisphere] [--size WxH]
  *     [--output PNG]
  *
  * FILE is anything VTK reads by itself (.vtp, .vtk, ...). The radius is in data units, by default
  * 1/512 of the longest side of the data. With --line-width lines of so many pixels
- * take the place of tubes. Without --output an interactive window opens.
+ * take the place of tubes, without shadows and occlusion. Without --output an interactive window
+ * opens.
  */
 
 #include "vtkIlluminatedLineMapper.h"
+#include "vtkLineGlobalIllumination.h"
 #include "vtkVoxelLineMapper.h"
 
 #include "vtkActor.h"
@@ -23,6 +26,8 @@
 #include "vtkGenericDataObjectReader.h"
 #include "vtkGeometryFilter.h"
 #include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkLight.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
@@ -35,16 +40,19 @@
 #include "vtkWindowToImageFilter.h"
 #include "vtkXMLGenericDataObjectReader.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace
 {
 const char* const Usage = "usage: RenderLines FILE [--radius R | --line-width W] [--opacity A] "
-                          "[--color-by ARRAY] [--size WxH] [--output PNG]\n";
+                          "[--color-by ARRAY] [--shadows none|hard|level|soft] "
+                          "[--occlusion none|spherical|hemisphere] [--size WxH] [--output PNG]\n";
 
 struct Options
 {
@@ -53,6 +61,8 @@ struct Options
   double LineWidth = 0.0; // 0: tubes
   double Opacity = 1.0;
   std::string ColorBy;
+  int Shadows = vtkLineGlobalIllumination::NoShadows;
+  int Occlusion = vtkLineGlobalIllumination::NoOcclusion;
   int Size[2] = { 1024, 768 };
   std::string Output;
 };
@@ -74,6 +84,23 @@ double ParseNumber(const std::string& option, const std::string& text)
     throw std::runtime_error(option + " takes a number, not \"" + text + "\"");
   }
   return number;
+}
+
+// The place of a name among the names of values from 0 on.
+int ParseName(
+  const std::string& option, const std::string& text, const std::vector<std::string>& names)
+{
+  const auto name = std::find(names.begin(), names.end(), text);
+  if (name == names.end())
+  {
+    std::string all;
+    for (const std::string& known : names)
+    {
+      all += " " + known;
+    }
+    throw std::runtime_error(option + " takes one of" + all);
+  }
+  return static_cast<int>(name - names.begin());
 }
 
 Options ParseOptions(int argc, char* argv[])
@@ -117,6 +144,14 @@ Options ParseOptions(int argc, char* argv[])
     {
       options.ColorBy = value;
     }
+    else if (argument == "--shadows")
+    {
+      options.Shadows = ParseName(argument, value, { "none", "hard", "level", "soft" });
+    }
+    else if (argument == "--occlusion")
+    {
+      options.Occlusion = ParseName(argument, value, { "none", "spherical", "hemisphere" });
+    }
     else if (argument == "--output")
     {
       options.Output = value;
@@ -134,6 +169,10 @@ Options ParseOptions(int argc, char* argv[])
   if (options.File.empty())
   {
     throw std::runtime_error("no file was named");
+  }
+  if (options.LineWidth > 0.0 && (options.Shadows != 0 || options.Occlusion != 0))
+  {
+    throw std::runtime_error("--shadows and --occlusion are for tubes, not for --line-width");
   }
   return options;
 }
@@ -218,6 +257,29 @@ void ColorBy(const std::string& name, vtkPolyData* lines, vtkMapper* mapper)
   mapper->ScalarVisibilityOn();
 }
 
+// Lights for shadows. The headlight that VTK makes by itself casts none that are seen: what lies
+// in its shadow lies behind what casts it, for the camera as well. So a light is put into the
+// scene, to the upper right of the first view, where it stays while the camera moves. A weak
+// headlight keeps what is in the shadow from being black.
+void AddLights(vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  // In coordinates in which the camera looks from (0, 0, 1) to the origin.
+  const double upperRight[4] = { 1.0, 1.0, 1.0, 1.0 };
+  double position[4];
+  camera->GetCameraLightTransformMatrix()->MultiplyPoint(upperRight, position);
+  vtkNew<vtkLight> sun;
+  sun->SetLightTypeToSceneLight();
+  sun->SetPosition(position[0], position[1], position[2]);
+  sun->SetFocalPoint(camera->GetFocalPoint());
+  sun->SetIntensity(0.8);
+  renderer->AddLight(sun);
+  vtkNew<vtkLight> fill;
+  fill->SetLightTypeToHeadlight();
+  fill->SetIntensity(0.25);
+  renderer->AddLight(fill);
+}
+
 void Write(vtkRenderWindow* window, const std::string& file)
 {
   vtkNew<vtkWindowToImageFilter> picture;
@@ -246,6 +308,8 @@ void Render(const Options& options)
   {
     auto tubes = vtkSmartPointer<vtkVoxelLineMapper>::New();
     tubes->SetRadius(options.Radius);
+    tubes->GetGlobalIllumination()->SetShadows(options.Shadows);
+    tubes->GetGlobalIllumination()->SetOcclusion(options.Occlusion);
     mapper = tubes;
   }
   mapper->SetInputDataObject(lines);
@@ -278,6 +342,10 @@ void Render(const Options& options)
   renderer->GetActiveCamera()->SetPosition(0.0, -1.0, 0.3);
   renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
   renderer->ResetCameraScreenSpace();
+  if (options.Shadows != vtkLineGlobalIllumination::NoShadows)
+  {
+    AddLights(renderer);
+  }
 
   if (!options.Output.empty())
   {
