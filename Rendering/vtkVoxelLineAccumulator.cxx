@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVoxelLineAccumulator.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace
+{
+// Pixels that a thread takes at a time.
+constexpr vtkIdType Grain = 1 << 14;
+
+double GetFraction(double x)
+{
+  return x - std::floor(x);
+}
+
+// From 0 to 255.
+std::uint8_t ToByte(float value)
+{
+  return static_cast<std::uint8_t>(std::min(value, 255.0f) + 0.5f);
+}
+}
+
+//------------------------------------------------------------------------------
+glm::dvec2 vtkVoxelLineAccumulator::GetOffset(int i)
+{
+  // The real root of x^3 = x + 1.
+  constexpr double root = 1.32471795724474602596;
+  return glm::dvec2(GetFraction(0.5 + i / root) - 0.5, GetFraction(0.5 + i / (root * root)) - 0.5);
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineAccumulator::Shift(vtkVoxelLineFrame& frame, int i)
+{
+  const glm::vec2 offset(GetOffset(i));
+  frame.Origin[0] += offset.x * frame.Origin[1] + offset.y * frame.Origin[2];
+  frame.Direction[0] += offset.x * frame.Direction[1] + offset.y * frame.Direction[2];
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineAccumulator::Clear()
+{
+  this->NumberOfPictures = 0;
+  this->HasScene = false;
+  // They are large, and not needed while the camera moves.
+  this->Sums = std::vector<glm::vec4>();
+  this->Depth = std::vector<float>();
+  this->Scene = std::vector<float>();
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineAccumulator::TakeScene(std::vector<float> depth)
+{
+  this->HasScene = true;
+  this->Scene = std::move(depth);
+}
+
+//------------------------------------------------------------------------------
+bool vtkVoxelLineAccumulator::IsSameScene(const std::vector<float>& depth)
+{
+  if (!this->HasScene)
+  {
+    this->TakeScene(depth);
+  }
+  return this->Scene == depth;
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineAccumulator::Add(const vtkVoxelLinePicture& picture)
+{
+  const std::size_t pixels = picture.Depth.size();
+  if (this->NumberOfPictures == 0)
+  {
+    this->Sums.assign(pixels, glm::vec4(0.0f));
+    this->Depth.assign(pixels, 1.0f);
+  }
+  ++this->NumberOfPictures;
+  const bool hasScene = this->Scene.size() == pixels;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(pixels), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const std::uint8_t* color = picture.Color.data() + 4 * i;
+        const float depth = picture.Depth[i];
+        if (color[3] == 0 || (hasScene && depth > this->Scene[i]))
+        {
+          continue;
+        }
+        const auto opacity = static_cast<float>(color[3]);
+        glm::vec4& sum = this->Sums[i];
+        this->Depth[i] = sum.w > 0.0f ? this->Depth[i] : depth;
+        sum += glm::vec4(glm::vec3(color[0], color[1], color[2]) * (opacity / 255.0f), opacity);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineAccumulator::GetMean(vtkVoxelLinePicture& mean) const
+{
+  const std::size_t pixels = this->Depth.size();
+  mean.Color.resize(4 * pixels);
+  mean.Depth = this->Depth;
+  const float weight = 1.0f / static_cast<float>(std::max(this->NumberOfPictures, 1));
+  vtkSMPTools::For(0, static_cast<vtkIdType>(pixels), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const glm::vec4& sum = this->Sums[i];
+        const float scale = sum.w > 0.0f ? 255.0f / sum.w : 0.0f;
+        for (int c = 0; c < 3; ++c)
+        {
+          mean.Color[4 * i + c] = ToByte(sum[c] * scale);
+        }
+        mean.Color[4 * i + 3] = ToByte(sum.w * weight);
+      }
+    });
+}
