@@ -15,6 +15,7 @@
 #ifndef vtkVoxelLineAccumulator_h
 #define vtkVoxelLineAccumulator_h
 
+#include "vtkRenderingLineSetsModule.h" // For export macro
 #include "vtkVoxelLineFrame.h"
 #include "vtkVoxelLineNativeEngine.h"
 
@@ -22,7 +23,7 @@
 
 #include <vector>
 
-class vtkVoxelLineAccumulator
+class VTKRENDERINGLINESETS_EXPORT vtkVoxelLineAccumulator
 {
 public:
   vtkVoxelLineAccumulator() = default;
