@@ -234,8 +234,8 @@ public:
    * translucent at their edges then; it writes no depth, so that volumes, which are drawn later,
    * cover it. An actor with ForceOpaque stays in the opaque pass, where edges hide opaque actors
    * that are drawn later behind them. Before each picture of a mean the depth of the scene is
-   * read, by the shader engine the picture as well; 28 bytes per pixel are kept on the
-   * processor. Frames that change cost nothing more. A value out of range is an error.
+   * read, by the shader engine the picture as well; 24 bytes per pixel, 32 with that engine, are
+   * kept on the processor. Frames that change cost nothing more. A value out of range is an error.
    */
   virtual void SetAccumulationFrames(int frames);
   vtkGetMacro(AccumulationFrames, int);
