@@ -226,7 +226,19 @@ std::vector<Change> MakeChanges()
     { "scalar range", [](Scene& s) { s.Mapper->SetScalarRange(0.0, 0.9); } },
     { "scalar visibility", [](Scene& s) { s.Mapper->ScalarVisibilityOff(); } },
     { "radius", [](Scene& s) { s.Mapper->SetRadius(0.06); } },
-    { "model", [](Scene& s) { s.Mapper->SetResolution(24); } },
+    { "resolution", [](Scene& s) { s.Mapper->SetResolution(24); } },
+    { "scalars",
+      [](Scene& s)
+      {
+        // Only the values in the model change.
+        vtkDataArray* values = s.Mapper->GetInput()->GetPointData()->GetScalars();
+        for (vtkIdType i = 30; i < 90; ++i)
+        {
+          values->SetComponent(i, 0, 0.5);
+        }
+        values->Modified();
+        s.Mapper->GetInput()->Modified();
+      } },
     { "engine's end of rays", [](Scene& s) { s.Mapper->SetEarlyTermination(0.5); } },
     { "light", [](Scene& s) { s.Light->SetIntensity(0.8); } },
     { "light model",
