@@ -92,6 +92,14 @@ void vtkLineSetsLayer::SetTextures(vtkTextureObject* color, vtkTextureObject* de
 }
 
 //------------------------------------------------------------------------------
+bool vtkLineSetsLayer::HasPicture() const
+{
+  // A window that closes releases textures by itself.
+  return this->Color && this->Depth && this->Color->GetHandle() != 0 &&
+    this->Depth->GetHandle() != 0;
+}
+
+//------------------------------------------------------------------------------
 vtkShaderProgram* vtkLineSetsLayer::ReadyProgram(
   vtkOpenGLRenderWindow* window, vtkAbstractMapper* mapper, vtkProp* prop, std::string& error)
 {

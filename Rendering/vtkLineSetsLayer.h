@@ -49,6 +49,9 @@ public:
   /// copied.
   void SetTextures(vtkTextureObject* color, vtkTextureObject* depth);
 
+  /// Whether there is a picture that lies on the graphics device still.
+  bool HasPicture() const;
+
   /**
    * Draw the picture with its first pixel on pixel (originX, originY) of the framebuffer that is
    * bound for drawing. mapper and prop are what the active render passes are told. depthOffset is

@@ -179,6 +179,20 @@ vtkTextureObject* vtkLineSetsSceneDepth::Copy(
 }
 
 //------------------------------------------------------------------------------
+std::vector<float> vtkLineSetsSceneDepth::Download(vtkTextureObject* texture)
+{
+  std::vector<float> depth;
+  if (texture)
+  {
+    depth.resize(static_cast<std::size_t>(texture->GetWidth()) * texture->GetHeight());
+    texture->Activate();
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+    texture->Deactivate();
+  }
+  return depth;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkLineSetsSceneDepth::GetNumberOfBytes() const
 {
   return this->Texture->GetHandle() == 0

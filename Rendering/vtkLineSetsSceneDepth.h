@@ -45,6 +45,9 @@ public:
    */
   vtkTextureObject* Copy(vtkOpenGLRenderWindow* window, const int origin[2], int width, int height);
 
+  /// Depths of the texture that Copy() returned, as Read() gives them; none for nullptr.
+  static std::vector<float> Download(vtkTextureObject* texture);
+
   /// Bytes of the texture.
   vtkIdType GetNumberOfBytes() const;
 

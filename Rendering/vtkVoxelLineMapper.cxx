@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkVoxelLineAccumulator.h"
 #include "vtkVoxelLineColoring.h"
 #include "vtkVoxelLineModel.h"
 #include "vtkVoxelLineModelSource.h"
@@ -242,6 +243,30 @@ void vtkVoxelLineMapper::SetEngine(int engine)
 }
 
 //------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetAccumulationFrames(int frames)
+{
+  constexpr int largest = vtkVoxelLineAccumulator::LargestNumber;
+  if (frames < 1 || frames > largest)
+  {
+    vtkErrorMacro("AccumulationFrames " << frames << " is not valid: it must be from 1 to "
+                                        << largest << ". It stays " << this->AccumulationFrames
+                                        << ".");
+    return;
+  }
+  if (this->AccumulationFrames != frames)
+  {
+    this->AccumulationFrames = frames;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkVoxelLineMapper::GetNumberOfAccumulatedPictures()
+{
+  return this->Internals->Painter.GetNumberOfAccumulatedPictures();
+}
+
+//------------------------------------------------------------------------------
 int vtkVoxelLineMapper::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -362,7 +387,7 @@ bool vtkVoxelLineMapper::HasTranslucentPolygonalGeometry()
   const bool translucent = frame.Coloring == vtkVoxelLineFrame::Direct
     ? this->Internals->Source.HasTranslucentColors()
     : !frame.IsOpaque();
-  return translucent ||
+  return translucent || this->Internals->Painter.HasLeftOpaquePass() ||
     (model->GetNumberOfSegments() > 0 && model->FindDefect().empty() &&
       this->Internals->Painter.HasThinTubes(this->Internals->DescribeScene(this)));
 }
@@ -465,6 +490,7 @@ void vtkVoxelLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetIllumination(other->GetIllumination());
     this->SetGlobalIllumination(other->GetGlobalIllumination());
     this->SetSubPixelCoverage(other->SubPixelCoverage);
+    this->SetAccumulationFrames(other->AccumulationFrames);
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -481,6 +507,8 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EarlyTermination: " << this->EarlyTermination << "\n";
   os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "SubPixelCoverage: " << (this->SubPixelCoverage ? "On" : "Off") << "\n";
+  os << indent << "AccumulationFrames: " << this->AccumulationFrames << "\n";
+  os << indent << "NumberOfAccumulatedPictures: " << this->GetNumberOfAccumulatedPictures() << "\n";
   os << indent << "Illumination:\n";
   this->Internals->Illumination->PrintSelf(os, indent.GetNextIndent());
   os << indent << "GlobalIllumination:\n";

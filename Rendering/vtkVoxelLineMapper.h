@@ -216,6 +216,38 @@ public:
   vtkBooleanMacro(SubPixelCoverage, bool);
   ///@}
 
+  ///@{
+  /**
+   * Number of pictures whose mean is drawn while nothing changes, 1 to 4096. Default 1: every frame
+   * shows one picture with one ray through the centre of each pixel. Above, each further frame that
+   * would show the same casts one more picture, whose rays pass through other points of the pixels,
+   * and shows the mean of all so far: edges of lines become smooth and details finer than a pixel
+   * get their brightness. After so many pictures none is cast any more, and the mean is replayed.
+   *
+   * Any change begins anew with the picture that is drawn without accumulation: of camera, size,
+   * lights, property, colours, model, clipping planes, engine, or of the depth of the opaque actors
+   * that are drawn before. Selections change nothing. A mapper that is drawn by several actors or
+   * in several renderers (or for both eyes) draws another picture each time, and so never
+   * accumulates: give each a mapper of its own, which may share a model.
+   *
+   * The mean of opaque lines is drawn with the translucent actors, since lines are
+   * translucent at their edges then; it writes no depth, so that volumes, which are drawn later,
+   * cover it. An actor with ForceOpaque stays in the opaque pass, where edges hide opaque actors
+   * that are drawn later behind them. Before each picture of a mean the depth of the scene is
+   * read, by the shader engine the picture as well; 24 bytes per pixel, 32 with that engine, are
+   * kept on the processor. Frames that change cost nothing more. A value out of range is an error.
+   */
+  virtual void SetAccumulationFrames(int frames);
+  vtkGetMacro(AccumulationFrames, int);
+  ///@}
+
+  /**
+   * Number of pictures whose mean was drawn last: 0 before the first frame, 1 where the last frame
+   * showed a change, up to AccumulationFrames. An application that draws when it is idle can stop
+   * when that is reached, or when the number does not rise from one frame to the next.
+   */
+  int GetNumberOfAccumulatedPictures();
+
   /// Engine of the last frame: Native or Shader; Automatic before the first one.
   vtkGetMacro(EngineInUse, int);
 
@@ -230,7 +262,8 @@ public:
 
   /**
    * Number of pictures ray cast so far. In a frame there is one, however often a render pass draws
-   * the mapper in it; pictures of selections do not count.
+   * the mapper in it, and none where a mean of AccumulationFrames is replayed; pictures of
+   * selections do not count.
    */
   vtkIdType GetNumberOfPictures();
 
@@ -248,8 +281,8 @@ public:
 
   /**
    * Whether lookup table or direct colours let something through, or tubes are thinner than a pixel
-   * as the cameras stand of those renderers that have drawn them; the property's opacity comes on
-   * top.
+   * as the cameras stand of those renderers that have drawn them, or the frame under way shows a
+   * mean (AccumulationFrames); the property's opacity comes on top.
    */
   bool HasTranslucentPolygonalGeometry() override;
 
@@ -283,6 +316,7 @@ protected:
   int Engine = Automatic;
   int EngineInUse = Automatic;
   bool SubPixelCoverage = true;
+  int AccumulationFrames = 1;
   double ModelBuildTime = 0.0;
 
 private:

@@ -3,35 +3,28 @@
 #include "vtkVoxelLinePainter.h"
 
 #include "vtkActor.h"
-#include "vtkDataObject.h"
-#include "vtkHardwareSelector.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkTextureObject.h"
 #include "vtkTimerLog.h"
 #include "vtkVoxelLineColoring.h"
+#include "vtkVoxelLineFrameBuilder.h"
 #include "vtkVoxelLineMapper.h"
 #include "vtkVoxelLineModel.h"
-#include "vtkVoxelLineSelection.h"
 
 #define LINESETS_USE_OPENGL
 #include "vtkLineSetsCompatibilityPrivate.h"
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 #include <utility>
 
 namespace
 {
 // An early end that no sum of opacities reaches: rays end behind opaque lines only.
 constexpr float NeverEarly = 2.0f;
-
-// Points are selected on top of a picture that was drawn just before; this much nearer, in units of
-// the depth buffer, so that rounding between two engines does not matter.
-constexpr float SelectionDepthOffset = -1e-5f;
 
 bool IsSoftwareRenderer(std::string name)
 {
@@ -47,6 +40,14 @@ bool IsSoftwareRenderer(std::string name)
   }
   return false;
 }
+
+// One value per texel and component, row by row from the bottom.
+void ReadTexture(vtkTextureObject* texture, unsigned int format, unsigned int type, void* values)
+{
+  texture->Activate();
+  glGetTexImage(GL_TEXTURE_2D, 0, format, type, values);
+  texture->Deactivate();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -56,15 +57,6 @@ vtkVoxelLinePainter::vtkVoxelLinePainter() = default;
 vtkVoxelLinePainter::~vtkVoxelLinePainter()
 {
   this->ReleaseTimer();
-}
-
-//------------------------------------------------------------------------------
-bool vtkVoxelLinePainter::Cached::IsSame(const Cached& other) const
-{
-  return this->Valid && other.Valid && this->FrameNumber == other.FrameNumber &&
-    this->Renderer == other.Renderer && this->Actor == other.Actor && this->Model == other.Model &&
-    this->ModelTime == other.ModelTime && this->Engine == other.Engine &&
-    vtkVoxelLineFrameBuilder::IsSamePicture(this->Frame, other.Frame);
 }
 
 //------------------------------------------------------------------------------
@@ -81,61 +73,6 @@ int vtkVoxelLinePainter::ChooseEngine(int engine, vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-vtkVoxelLineFrameBuilder::Grid vtkVoxelLinePainter::GetGrid(const Scene& scene, Warnings& warnings)
-{
-  vtkVoxelLineFrameBuilder::Grid grid;
-  scene.Model->GetOrigin(grid.Origin);
-  scene.Model->GetDimensions(grid.Dimensions);
-  grid.VoxelSize = scene.Model->GetVoxelSize();
-  grid.Margin = scene.Radius / grid.VoxelSize;
-  // Beyond this, single precision would lose the lines in their tubes.
-  const double largest = vtkVoxelLineFrameBuilder::LargestRadius *
-    *std::max_element(grid.Dimensions, grid.Dimensions + 3);
-  if (grid.Margin > largest)
-  {
-    grid.Margin = largest;
-    std::ostringstream message;
-    message << "The radius " << scene.Radius << " is more than "
-            << vtkVoxelLineFrameBuilder::LargestRadius
-            << " times the size of all lines; the lines are drawn with the radius "
-            << largest * grid.VoxelSize << ". Set a smaller one.";
-    warnings[HugeRadius] = message.str();
-  }
-  return grid;
-}
-
-//------------------------------------------------------------------------------
-vtkVoxelLineViews::Tubes vtkVoxelLinePainter::GetTubes(const Scene& scene, Warnings& warnings)
-{
-  vtkVoxelLineViews::Tubes tubes;
-  tubes.Grid = GetGrid(scene, warnings);
-  tubes.SmallestRadius = std::min(scene.SmallestRadius / tubes.Grid.VoxelSize, tubes.Grid.Margin);
-  tubes.LargestWidening = vtkVoxelLineFrameBuilder::GetLargestWidening(
-    tubes.Grid, static_cast<double>(scene.Model->GetNumberOfSegments()));
-  return tubes;
-}
-
-//------------------------------------------------------------------------------
-void vtkVoxelLinePainter::Widen(const Scene& scene, const vtkVoxelLineViews::Tubes& tubes,
-  vtkVoxelLineFrame& frame, Warnings& warnings)
-{
-  frame.Radius = static_cast<float>(tubes.Grid.Margin);
-  const bool isLimited = vtkVoxelLineFrameBuilder::SetWidths(
-    frame, tubes.SmallestRadius, scene.Mapper->GetSubPixelCoverage(), tubes.LargestWidening);
-  // Where all lines lie within a few pixels, there is nothing to be told apart.
-  const int longest = *std::max_element(tubes.Grid.Dimensions, tubes.Grid.Dimensions + 3);
-  if (isLimited && 8.0 * tubes.LargestWidening < longest)
-  {
-    std::ostringstream message;
-    message
-      << "Pixels are more than " << 2.0 * tubes.LargestWidening
-      << " voxels wide: for speed, some lines are missed and others are drawn less transparent"
-         " in exchange. Lower the Resolution for views from so far away.";
-    warnings[HugePixels] = message.str();
-  }
-}
-
-//------------------------------------------------------------------------------
 bool vtkVoxelLinePainter::IsLeftToTranslucentPass(
   const Scene& scene, vtkRenderer* renderer, vtkActor* actor)
 {
@@ -147,8 +84,8 @@ bool vtkVoxelLinePainter::IsLeftToTranslucentPass(
   int viewport[4] = { 0, 0, 0, 0 };
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   Warnings ignored; // a picture tells them
-  const bool found = this->Views.FindThinTubes(
-    this->Frames, renderer, actor, viewport + 2, GetTubes(scene, ignored));
+  const bool found =
+    this->Views.FindThinTubes(this->Frames, renderer, actor, viewport + 2, scene.GetTubes(ignored));
   return found && !actor->IsRenderingTranslucentPolygonalGeometry() && !actor->GetForceOpaque();
 }
 
@@ -157,7 +94,7 @@ bool vtkVoxelLinePainter::HasThinTubes(const Scene& scene)
 {
   Warnings ignored; // a picture tells them
   return scene.Mapper->GetSubPixelCoverage() &&
-    this->Views.HaveThinTubes(this->Frames, GetTubes(scene, ignored));
+    this->Views.HaveThinTubes(this->Frames, scene.GetTubes(ignored));
 }
 
 //------------------------------------------------------------------------------
@@ -180,7 +117,7 @@ std::string vtkVoxelLinePainter::Draw(
   if (viewport[2] > 0 && viewport[3] > 0 && size[0] > 0 && size[1] > 0)
   {
     error = renderer->GetSelector()
-      ? this->DrawSelection(scene, renderer, actor, window, viewport, warnings)
+      ? this->Selection.Draw(scene, renderer, actor, window, viewport, warnings)
       : this->DrawPicture(scene, renderer, actor, window, viewport, warnings);
   }
   // Never 0, which VTK takes for "not drawn yet".
@@ -194,20 +131,17 @@ std::string vtkVoxelLinePainter::Draw(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* renderer,
-  vtkActor* actor, vtkOpenGLRenderWindow* window, const int viewport[4], Warnings& warnings)
+std::string vtkVoxelLinePainter::Describe(vtkVoxelLinePictureKey& wanted, const Scene& scene,
+  vtkRenderer* renderer, vtkActor* actor, const int viewport[4], Warnings& warnings)
 {
-  Cached wanted;
   wanted.Valid = true;
-  wanted.FrameNumber = this->Frames.GetFrame(renderer);
+  wanted.Window = renderer->GetRenderWindow();
   wanted.Renderer = renderer;
   wanted.Actor = actor;
   wanted.Model = scene.Model;
   wanted.ModelTime = scene.Model->GetMTime();
-  wanted.Engine = ChooseEngine(scene.Mapper->GetEngine(), window);
-  this->EngineInUse = wanted.Engine;
 
-  const vtkVoxelLineViews::Tubes tubes = GetTubes(scene, warnings);
+  const vtkVoxelLineViews::Tubes tubes = scene.GetTubes(warnings);
   const vtkVoxelLineFrameBuilder::Grid& grid = tubes.Grid;
   const vtkVoxelLineFrameBuilder::View view =
     vtkVoxelLineFrameBuilder::GetView(renderer, actor, viewport[2], viewport[3]);
@@ -222,16 +156,36 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
   if (!vtkVoxelLineFrameBuilder::SetLighting(
         frame, renderer, scene.Mapper->GetIllumination(), actor->GetProperty()))
   {
-    warnings[BadPower] = "The property's SpecularPower is not a number from 0 on; 1 is taken.";
+    warnings[Scene::BadPower] =
+      "The property's SpecularPower is not a number from 0 on; 1 is taken.";
   }
   vtkVoxelLineColoring::SetColors(frame, scene.Mapper, scene.Model);
-  Widen(scene, tubes, frame, warnings);
+  scene.Widen(tubes, frame, warnings);
   const double early = scene.Mapper->GetEarlyTermination();
   frame.EarlyTermination = early < 1.0 ? static_cast<float>(early) : NeverEarly;
+  return {};
+}
 
+//------------------------------------------------------------------------------
+std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* renderer,
+  vtkActor* actor, vtkOpenGLRenderWindow* window, const int viewport[4], Warnings& warnings)
+{
+  vtkVoxelLinePictureKey wanted;
+  wanted.FrameNumber = this->Frames.GetFrame(renderer);
+  wanted.Engine = ChooseEngine(scene.Mapper->GetEngine(), window);
+  this->EngineInUse = wanted.Engine;
+  std::string error = Describe(wanted, scene, renderer, actor, viewport, warnings);
+  if (!error.empty())
+  {
+    return error;
+  }
   if (!this->Last.IsSame(wanted))
   {
-    error = this->CastPicture(scene, renderer, window, viewport, wanted, warnings);
+    if (this->CanAdd(scene, wanted) && this->LeaveToTranslucentPass(scene, actor, wanted))
+    {
+      return {};
+    }
+    error = this->MakePicture(scene, renderer, window, viewport, wanted, warnings);
     if (!error.empty())
     {
       this->Last.Valid = false;
@@ -243,45 +197,146 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
 }
 
 //------------------------------------------------------------------------------
-std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkRenderer* renderer,
-  vtkOpenGLRenderWindow* window, const int viewport[4], Cached& wanted, Warnings& warnings)
+bool vtkVoxelLinePainter::CanAdd(const Scene& scene, const vtkVoxelLinePictureKey& wanted) const
 {
-  vtkVoxelLineFrame& frame = wanted.Frame;
-  ++this->NumberOfPictures;
+  const int frames = scene.Mapper->GetAccumulationFrames();
+  return frames > 1 && this->Accumulator.GetNumberOfPictures() <= frames &&
+    this->Layer.HasPicture() && this->Last.IsSameInAnyFrame(wanted);
+}
 
-  // Opaque lines need no depth of the scene: the final draw is tested against it, and a line behind
-  // it hides nothing that is seen.
-  const bool opaque = frame.Coloring == vtkVoxelLineFrame::Direct
-    ? frame.Opacity >= 1.0f && !scene.TranslucentColors && !frame.ThinTubes
-    : frame.IsOpaque();
-  int readOrigin[2] = { 0, 0 };
-  if (!opaque)
+//------------------------------------------------------------------------------
+bool vtkVoxelLinePainter::LeaveToTranslucentPass(
+  const Scene& scene, vtkActor* actor, const vtkVoxelLinePictureKey& wanted)
+{
+  // Translucent lines are drawn in that pass already.
+  if (this->LeftFrame == wanted.FrameNumber || actor->IsRenderingTranslucentPolygonalGeometry() ||
+    actor->GetForceOpaque() || actor->GetForceTranslucent() || wanted.Frame.Opacity < 1.0f ||
+    scene.Mapper->HasTranslucentPolygonalGeometry())
   {
-    int size[2];
-    int origin[2];
-    renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
-    vtkLineSetsSceneDepth::GetReadOrigin(window, viewport, origin, readOrigin);
+    return false;
   }
-  const auto warnOfOverflows = [&warnings](vtkIdType pixels)
-  {
-    if (pixels > 0)
-    {
-      warnings[OverlappingCurves] = "In " + std::to_string(pixels) +
-        " pixels more lines overlap than can be told apart, so that some may be blended twice at a "
-        "joint; a smaller radius or a higher resolution avoids it.";
-    }
-  };
-  const char* noDepth = "The depth of the scene cannot be read from the framebuffer; translucent "
-                        "lines in front of opaque actors may hide them too much.";
+  this->LeftFrame = wanted.FrameNumber;
+  this->LeftRenderer = wanted.Renderer;
+  return true;
+}
 
+//------------------------------------------------------------------------------
+bool vtkVoxelLinePainter::HasLeftOpaquePass()
+{
+  return this->LeftFrame >= 0 && this->LeftRenderer && this->Frames.IsInFrame(this->LeftRenderer) &&
+    this->Frames.GetFrame(this->LeftRenderer) == this->LeftFrame;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVoxelLinePainter::CopySceneDepth(vtkRenderer* renderer, vtkOpenGLRenderWindow* window,
+  const int viewport[4], vtkVoxelLinePictureKey& wanted)
+{
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  int readOrigin[2];
+  vtkLineSetsSceneDepth::GetReadOrigin(window, viewport, origin, readOrigin);
+  vtkVoxelLineFrame& frame = wanted.Frame;
   if (wanted.Engine == vtkVoxelLineMapper::Shader)
   {
-    vtkTextureObject* depth =
-      opaque ? nullptr : this->SceneDepth.Copy(window, readOrigin, frame.Width, frame.Height);
-    if (!opaque && !depth)
-    {
-      warnings[NoSceneDepth] = noDepth;
-    }
+    this->SceneTexture = this->SceneDepth.Copy(window, readOrigin, frame.Width, frame.Height);
+    return this->SceneTexture != nullptr;
+  }
+  return this->SceneDepth.Read(window, readOrigin, frame.Width, frame.Height, frame.SceneDepth);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLinePainter::MakePicture(const Scene& scene, vtkRenderer* renderer,
+  vtkOpenGLRenderWindow* window, const int viewport[4], vtkVoxelLinePictureKey& wanted,
+  Warnings& warnings)
+{
+  vtkVoxelLineFrame& frame = wanted.Frame;
+  const bool shader = wanted.Engine == vtkVoxelLineMapper::Shader;
+  // Opaque lines need no depth of the scene: the final draw is tested against it, and a line behind
+  // it hides nothing that is seen. Their mean needs it.
+  const bool opaque = scene.IsOpaque(frame);
+  const bool adds = this->CanAdd(scene, wanted);
+  if (adds && shader && !opaque && this->Accumulator.GetNumberOfPictures() == 0)
+  {
+    // That of the first picture.
+    this->Accumulator.TakeScene(this->SceneDepth.Download(this->SceneTexture));
+  }
+  this->SceneTexture = nullptr;
+  if ((adds || !opaque) && !this->CopySceneDepth(renderer, window, viewport, wanted) && !opaque)
+  {
+    warnings[Scene::NoSceneDepth] =
+      "The depth of the scene cannot be read from the framebuffer; translucent "
+      "lines in front of opaque actors may hide them too much.";
+  }
+  if (adds &&
+    this->Accumulator.IsSameScene(
+      shader ? this->SceneDepth.Download(this->SceneTexture) : frame.SceneDepth))
+  {
+    return this->AddPicture(scene, window, wanted, warnings);
+  }
+
+  this->Accumulator.Clear();
+  if (opaque)
+  {
+    // The picture may be the first one of a mean with another depth of the scene.
+    frame.SceneDepth.clear();
+  }
+  const std::string error = this->CastPicture(scene, window, wanted.Engine, frame, warnings);
+  if (error.empty() && !shader && !opaque && scene.Mapper->GetAccumulationFrames() > 1)
+  {
+    this->Accumulator.TakeScene(std::move(frame.SceneDepth));
+  }
+  // Read by nobody any more, and large.
+  frame.SceneDepth = std::vector<float>();
+  if (!error.empty())
+  {
+    return error;
+  }
+  if (shader)
+  {
+    this->Layer.SetTextures(
+      this->ShaderEngine.GetColorTexture(), this->ShaderEngine.GetDepthTexture());
+    return {};
+  }
+  return this->ShowPicture(window, frame, this->Picture);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLinePainter::AddPicture(const Scene& scene, vtkOpenGLRenderWindow* window,
+  vtkVoxelLinePictureKey& wanted, Warnings& warnings)
+{
+  if (this->Accumulator.GetNumberOfPictures() == 0)
+  {
+    this->ReadPicture(wanted.Engine);
+    this->Accumulator.Add(this->Picture);
+  }
+  const int number = this->Accumulator.GetNumberOfPictures();
+  if (number >= scene.Mapper->GetAccumulationFrames())
+  {
+    return {};
+  }
+  vtkVoxelLineFrame shifted = wanted.Frame;
+  vtkVoxelLineAccumulator::Shift(shifted, number);
+  const std::string error = this->CastPicture(scene, window, wanted.Engine, shifted, warnings);
+  if (!error.empty())
+  {
+    return error;
+  }
+  this->ReadPicture(wanted.Engine);
+  this->Accumulator.Add(this->Picture);
+  vtkVoxelLinePicture mean;
+  this->Accumulator.GetMean(mean);
+  return this->ShowPicture(window, shifted, mean);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkOpenGLRenderWindow* window,
+  int engine, const vtkVoxelLineFrame& frame, Warnings& warnings)
+{
+  ++this->NumberOfPictures;
+  vtkIdType overflows = 0;
+  if (engine == vtkVoxelLineMapper::Shader)
+  {
     if (this->TimerWindow != window)
     {
       this->ReleaseTimer();
@@ -289,135 +344,73 @@ std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkRenderer* re
       this->TimerWindow = window;
     }
     this->Timer.ReusableStart();
-    const bool done = this->ShaderEngine.Render(window, scene.Model, frame, depth);
+    const bool done = this->ShaderEngine.Render(
+      window, scene.Model, frame, scene.IsOpaque(frame) ? nullptr : this->SceneTexture);
     this->Timer.ReusableStop();
     if (!done)
     {
       return this->ShaderEngine.GetError();
     }
-    warnOfOverflows(this->ShaderEngine.GetNumberOfOverflows());
-    this->Layer.SetTextures(
-      this->ShaderEngine.GetColorTexture(), this->ShaderEngine.GetDepthTexture());
-    return {};
+    overflows = this->ShaderEngine.GetNumberOfOverflows();
   }
-
-  frame.SceneDepth.clear();
-  if (!opaque &&
-    !this->SceneDepth.Read(window, readOrigin, frame.Width, frame.Height, frame.SceneDepth))
+  else
   {
-    warnings[NoSceneDepth] = noDepth;
+    vtkVoxelLineNativeEngine::Render(scene.Model, frame, this->Picture);
+    overflows = this->Picture.NumberOfOverflows;
   }
-  vtkVoxelLineNativeEngine::Render(scene.Model, frame, this->Picture);
-  // Read by nobody any more, and large.
-  frame.SceneDepth = std::vector<float>();
-  warnOfOverflows(this->Picture.NumberOfOverflows);
-  return this->Layer.SetPicture(window, frame.Width, frame.Height, this->Picture.Color.data(),
-           this->Picture.Depth.data())
+  if (overflows > 0)
+  {
+    warnings[Scene::OverlappingCurves] = "In " + std::to_string(overflows) +
+      " pixels more lines overlap than can be told apart, so that some may be blended twice at a "
+      "joint; a smaller radius or a higher resolution avoids it.";
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLinePainter::ReadPicture(int engine)
+{
+  if (engine == vtkVoxelLineMapper::Shader)
+  {
+    vtkTextureObject* color = this->ShaderEngine.GetColorTexture();
+    const std::size_t pixels = static_cast<std::size_t>(color->GetWidth()) * color->GetHeight();
+    this->Picture.Color.resize(4 * pixels);
+    this->Picture.Depth.resize(pixels);
+    ReadTexture(color, GL_RGBA, GL_UNSIGNED_BYTE, this->Picture.Color.data());
+    ReadTexture(this->ShaderEngine.GetDepthTexture(), GL_RED, GL_FLOAT, this->Picture.Depth.data());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLinePainter::ShowPicture(
+  vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame, const vtkVoxelLinePicture& picture)
+{
+  return this->Layer.SetPicture(
+           window, frame.Width, frame.Height, picture.Color.data(), picture.Depth.data())
     ? std::string()
     : "there is not enough graphics memory for a picture of the size of the viewport";
 }
 
 //------------------------------------------------------------------------------
-std::string vtkVoxelLinePainter::DrawSelection(const Scene& scene, vtkRenderer* renderer,
-  vtkActor* actor, vtkOpenGLRenderWindow* window, const int viewport[4], Warnings& warnings)
+int vtkVoxelLinePainter::GetNumberOfAccumulatedPictures() const
 {
-  vtkHardwareSelector* selector = renderer->GetSelector();
-  if (selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS && !scene.Input)
-  {
-    warnings[NoPoints] =
-      "Points cannot be selected in a model, which does not know them; select cells.";
-    return {};
-  }
-
-  // Only the area that is asked for.
-  vtkVoxelLineFrameBuilder::View view =
-    vtkVoxelLineFrameBuilder::GetView(renderer, actor, viewport[2], viewport[3]);
-  const unsigned int* area = selector->GetArea();
-  for (int i = 0; i < 2; ++i)
-  {
-    const int first = std::max(static_cast<int>(area[i]) - viewport[i], 0);
-    const int last = std::min(static_cast<int>(area[i + 2]) - viewport[i], viewport[i + 2] - 1);
-    view.PictureOrigin[i] = first;
-    view.PictureSize[i] = last - first + 1;
-  }
-  if (view.PictureSize[0] <= 0 || view.PictureSize[1] <= 0)
-  {
-    return {};
-  }
-
-  selector->BeginRenderProp();
-  selector->UpdateMaximumCellId(vtkVoxelLineSelection::GetLargestCell(scene.Model));
-  if (scene.Input)
-  {
-    selector->UpdateMaximumPointId(scene.Input->GetNumberOfPoints() - 1);
-  }
-  std::string error = this->DrawNumbers(scene, selector, actor, window, viewport, view);
-  selector->EndRenderProp();
-  return error;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkVoxelLinePainter::DrawNumbers(const Scene& scene, vtkHardwareSelector* selector,
-  vtkActor* actor, vtkOpenGLRenderWindow* window, const int viewport[4],
-  const vtkVoxelLineFrameBuilder::View& view)
-{
-  const bool points = selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  Cached wanted;
-  wanted.Valid = true;
-  wanted.FrameNumber = points ? 1 : 0;
-  wanted.Actor = actor;
-  wanted.Model = scene.Model;
-  wanted.ModelTime = scene.Model->GetMTime();
-  wanted.Frame.Picking = true;
-  Warnings ignored; // the picture has told them
-  const vtkVoxelLineViews::Tubes tubes = GetTubes(scene, ignored);
-  const vtkVoxelLineFrameBuilder::Grid& grid = tubes.Grid;
-  std::string error = vtkVoxelLineFrameBuilder::SetView(wanted.Frame, view, grid);
-  if (!error.empty())
-  {
-    return error;
-  }
-  vtkVoxelLineFrameBuilder::SetClippingPlanes(
-    wanted.Frame, scene.Mapper->GetClippingPlanes(), view, grid);
-  Widen(scene, tubes, wanted.Frame, ignored);
-
-  // The selector draws the scene once per number; one picture serves for all.
-  if (!this->LastPick.IsSame(wanted))
-  {
-    vtkVoxelLineNativeEngine::Render(scene.Model, wanted.Frame, this->PickPicture);
-    this->PickPoints.clear();
-    if (points)
-    {
-      this->PickPoints = vtkVoxelLineSelection::GetPoints(
-        scene.Model, scene.Input, wanted.Frame, grid, this->PickPicture);
-    }
-    this->LastPick = std::move(wanted);
-  }
-  vtkVoxelLineSelection::GetColors(
-    selector, scene.Model, this->PickPicture, this->PickPoints, this->PickColors);
-  this->Last.Valid = false;
-  const vtkVoxelLineFrame& frame = this->LastPick.Frame;
-  if (!this->Layer.SetPicture(
-        window, frame.Width, frame.Height, this->PickColors.data(), this->PickPicture.Depth.data()))
-  {
-    return "there is not enough graphics memory for a picture of the selected area";
-  }
-  return this->Layer.Draw(window, scene.Mapper, actor, viewport[0] + view.PictureOrigin[0],
-    viewport[1] + view.PictureOrigin[1], points ? SelectionDepthOffset : 0.0f);
+  return this->Last.Valid ? std::max(this->Accumulator.GetNumberOfPictures(), 1) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkVoxelLinePainter::GetNumberOfBytes() const
 {
   return this->Layer.GetNumberOfBytes() + this->SceneDepth.GetNumberOfBytes() +
-    this->ShaderEngine.GetNumberOfBytes();
+    this->ShaderEngine.GetNumberOfBytes() + this->Selection.GetNumberOfBytes();
 }
 
 //------------------------------------------------------------------------------
 void vtkVoxelLinePainter::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Last.Valid = false;
-  this->LastPick.Valid = false;
+  this->Accumulator.Clear();
+  this->SceneTexture = nullptr;
+  this->Selection.ReleaseGraphicsResources(window);
   this->Layer.ReleaseGraphicsResources(window);
   this->SceneDepth.ReleaseGraphicsResources(window);
   this->ShaderEngine.ReleaseGraphicsResources(window);

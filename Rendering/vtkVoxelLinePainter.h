@@ -7,7 +7,14 @@
  * For each frame of a renderer it describes the picture (vtkVoxelLineFrameBuilder,
  * vtkVoxelLineColoring), has one of the two engines cast the rays, and draws the result as one
  * layer (vtkLineSetsLayer). Where a render pass draws the prop again in the same frame, the picture
- * is replayed. For vtkHardwareSelector it draws numbers instead (vtkVoxelLineSelection).
+ * is replayed. For vtkHardwareSelector it draws numbers instead (vtkVoxelLineSelectionPainter).
+ *
+ * Where the mapper accumulates and a frame shows the same as the one before, one more picture is
+ * cast with shifted rays, and the mean of all is drawn (vtkVoxelLineAccumulator). At the edges of
+ * lines the mean is translucent even where all lines are opaque, so that it belongs into the
+ * translucent pass. That the camera rests turns out when the picture is described, that is in
+ * the opaque pass: the draw is then left to the translucent pass of the same frame, for which VTK
+ * asks the mapper again.
  */
 
 #ifndef vtkVoxelLinePainter_h
@@ -16,8 +23,10 @@
 #include "vtkLineSetsFrameCounter.h"
 #include "vtkLineSetsLayer.h"
 #include "vtkLineSetsSceneDepth.h"
-#include "vtkVoxelLineFrameBuilder.h"
+#include "vtkVoxelLineAccumulator.h"
 #include "vtkVoxelLineNativeEngine.h"
+#include "vtkVoxelLineScene.h"
+#include "vtkVoxelLineSelectionPainter.h"
 #include "vtkVoxelLineShaderEngine.h"
 #include "vtkVoxelLineViews.h"
 
@@ -25,17 +34,12 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkWeakPointer.h"
 
-#include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
 class vtkActor;
-class vtkHardwareSelector;
-class vtkPolyData;
 class vtkRenderer;
-class vtkVoxelLineMapper;
-class vtkVoxelLineModel;
+class vtkTextureObject;
 class vtkWindow;
 
 class vtkVoxelLinePainter
@@ -44,32 +48,8 @@ public:
   vtkVoxelLinePainter();
   ~vtkVoxelLinePainter();
 
-  /// What to draw, apart from what mapper, renderer and actor tell.
-  struct Scene
-  {
-    vtkVoxelLineMapper* Mapper = nullptr;
-    vtkVoxelLineModel* Model = nullptr;
-    /// The lines that the model was made of, where they are known.
-    vtkPolyData* Input = nullptr;
-    /// Largest radius, in units of the data.
-    double Radius = 0.0;
-    /// Smallest radius above 0, likewise.
-    double SmallestRadius = 0.0;
-    /// Whether direct colours of the model let something through.
-    bool TranslucentColors = false;
-  };
-
-  /// What may be not quite right in what was drawn.
-  enum WarningKind
-  {
-    NoSceneDepth,      ///< the depth of the scene cannot be read
-    OverlappingCurves, ///< the engine could not tell all curves in a pixel apart
-    HugeRadius,        ///< the radius is far larger than all lines together
-    NoPoints,          ///< points were to be selected in a model
-    HugePixels,        ///< pixels are so large that rays miss tubes
-    BadPower           ///< the exponent of the property is not a number
-  };
-  using Warnings = std::map<WarningKind, std::string>;
+  using Scene = vtkVoxelLineScene;
+  using Warnings = vtkVoxelLineScene::Warnings;
 
   /**
    * Draw into the active pass. Returns an empty string, or else why nothing was drawn; warnings are
@@ -86,6 +66,9 @@ public:
   /// Whether tubes are thinner than a pixel in a view in which the scene was drawn.
   bool HasThinTubes(const Scene& scene);
 
+  /// Whether a mean of opaque lines was left to the translucent pass of the frame under way.
+  bool HasLeftOpaquePass();
+
   /// vtkVoxelLineMapper::EngineType that would cast rays in a window.
   static int ChooseEngine(int engine, vtkOpenGLRenderWindow* window);
 
@@ -98,6 +81,9 @@ public:
   /// Number of pictures ray cast so far; replays and selections do not count.
   vtkIdType GetNumberOfPictures() const { return this->NumberOfPictures; }
 
+  /// Number of pictures whose mean was drawn last; 0 where nothing was drawn.
+  int GetNumberOfAccumulatedPictures() const;
+
   /// Bytes on the graphics device.
   vtkIdType GetNumberOfBytes() const;
 
@@ -107,35 +93,25 @@ private:
   vtkVoxelLinePainter(const vtkVoxelLinePainter&) = delete;
   void operator=(const vtkVoxelLinePainter&) = delete;
 
-  // A picture that can be drawn again.
-  struct Cached
-  {
-    bool Valid = false;
-    vtkIdType FrameNumber = -1;
-    vtkRenderer* Renderer = nullptr;
-    vtkActor* Actor = nullptr;
-    vtkVoxelLineModel* Model = nullptr;
-    vtkMTimeType ModelTime = 0;
-    int Engine = 0;
-    vtkVoxelLineFrame Frame;
-
-    bool IsSame(const Cached& other) const;
-  };
-
   void ReleaseTimer();
-  static vtkVoxelLineViews::Tubes GetTubes(const Scene& scene, Warnings& warnings);
-  static void Widen(const Scene& scene, const vtkVoxelLineViews::Tubes& tubes,
-    vtkVoxelLineFrame& frame, Warnings& warnings);
-  static vtkVoxelLineFrameBuilder::Grid GetGrid(const Scene& scene, Warnings& warnings);
+  static std::string Describe(vtkVoxelLinePictureKey& wanted, const Scene& scene,
+    vtkRenderer* renderer, vtkActor* actor, const int viewport[4], Warnings& warnings);
   std::string DrawPicture(const Scene& scene, vtkRenderer* renderer, vtkActor* actor,
     vtkOpenGLRenderWindow* window, const int viewport[4], Warnings& warnings);
-  std::string CastPicture(const Scene& scene, vtkRenderer* renderer, vtkOpenGLRenderWindow* window,
-    const int viewport[4], Cached& wanted, Warnings& warnings);
-  std::string DrawSelection(const Scene& scene, vtkRenderer* renderer, vtkActor* actor,
-    vtkOpenGLRenderWindow* window, const int viewport[4], Warnings& warnings);
-  std::string DrawNumbers(const Scene& scene, vtkHardwareSelector* selector, vtkActor* actor,
-    vtkOpenGLRenderWindow* window, const int viewport[4],
-    const vtkVoxelLineFrameBuilder::View& view);
+  std::string MakePicture(const Scene& scene, vtkRenderer* renderer, vtkOpenGLRenderWindow* window,
+    const int viewport[4], vtkVoxelLinePictureKey& wanted, Warnings& warnings);
+  std::string AddPicture(const Scene& scene, vtkOpenGLRenderWindow* window,
+    vtkVoxelLinePictureKey& wanted, Warnings& warnings);
+  std::string CastPicture(const Scene& scene, vtkOpenGLRenderWindow* window, int engine,
+    const vtkVoxelLineFrame& frame, Warnings& warnings);
+  std::string ShowPicture(vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame,
+    const vtkVoxelLinePicture& picture);
+  bool CanAdd(const Scene& scene, const vtkVoxelLinePictureKey& wanted) const;
+  bool LeaveToTranslucentPass(
+    const Scene& scene, vtkActor* actor, const vtkVoxelLinePictureKey& wanted);
+  bool CopySceneDepth(vtkRenderer* renderer, vtkOpenGLRenderWindow* window, const int viewport[4],
+    vtkVoxelLinePictureKey& wanted);
+  void ReadPicture(int engine);
 
   vtkLineSetsLayer Layer;
   vtkLineSetsSceneDepth SceneDepth;
@@ -145,12 +121,20 @@ private:
   vtkOpenGLRenderTimer Timer;
   vtkWeakPointer<vtkOpenGLRenderWindow> TimerWindow;
 
-  Cached Last;
-  Cached LastPick;
+  vtkVoxelLineSelectionPainter Selection;
+
+  // What is drawn, and the last picture of the engine where it lies on the processor.
+  vtkVoxelLinePictureKey Last;
   vtkVoxelLinePicture Picture;
-  vtkVoxelLinePicture PickPicture;
-  std::vector<vtkIdType> PickPoints;
-  std::vector<std::uint8_t> PickColors;
+
+  // Depth of the scene for the shader engine, from the last picture on; null where there is none.
+  vtkTextureObject* SceneTexture = nullptr;
+
+  // Empty before a picture is drawn a second time.
+  vtkVoxelLineAccumulator Accumulator;
+  // The frame in which opaque lines were left to the translucent pass, and its renderer.
+  vtkIdType LeftFrame = -1;
+  vtkWeakPointer<vtkRenderer> LeftRenderer;
 
   int EngineInUse = 0;
   double Seconds = 0.0;

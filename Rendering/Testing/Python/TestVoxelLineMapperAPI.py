@@ -38,6 +38,7 @@ assert mapper.GetEarlyTermination() == 0.99
 assert mapper.GetEngine() == vtkVoxelLineMapper.Automatic
 assert mapper.GetEngineInUse() == vtkVoxelLineMapper.Automatic
 assert mapper.GetModel() is None and mapper.GetModelBuildTime() == 0.0
+assert mapper.GetAccumulationFrames() == 1 and mapper.GetNumberOfAccumulatedPictures() == 0
 assert mapper.GetNumberOfPictures() == 0 and mapper.GetGraphicsMemory() == 0
 
 # A value out of range is an error and changes nothing.
@@ -47,7 +48,10 @@ for setter in (mapper.SetRadius, mapper.SetResolution, mapper.SetFaceBins):
     setter(-1)
 mapper.SetEarlyTermination(2.0)
 mapper.SetEngine(7)
-assert len(errors) == 5, errors
+mapper.SetAccumulationFrames(0)
+mapper.SetAccumulationFrames(4097)
+assert len(errors) == 7, errors
+assert mapper.GetAccumulationFrames() == 1
 assert mapper.GetRadius() == 0.0 and mapper.GetResolution() == 256 and mapper.GetFaceBins() == 32
 
 # Polygonal data: the mapper builds the model, once.
@@ -88,6 +92,7 @@ window.SetSize(100, 100)
 window.AddRenderer(renderer)
 window.Render()
 assert mapper.GetNumberOfPictures() == 1 and mapper.GetTimeToDraw() > 0.0
+assert mapper.GetNumberOfAccumulatedPictures() == 1
 assert mapper.GetEngineInUse() in (vtkVoxelLineMapper.Native, vtkVoxelLineMapper.Shader)
 assert mapper.GetGraphicsMemory() >= 100 * 100 * 8
 selector = vtkHardwareSelector()
