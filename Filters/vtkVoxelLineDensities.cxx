@@ -246,6 +246,8 @@ bool vtkVoxelLineDensities::SumSegments(vtkVoxelLineModel* model)
   const vtkVoxelLineSegments::Reader reader(model);
   const OpacityOfSegments opacity(
     model, this->HasOpacityTable ? this->OpacityTable.data() : nullptr, this->UseColorOpacity);
+  const unsigned char* radii =
+    this->UseRadii && model->GetRadii() ? model->GetRadii()->GetPointer(0) : nullptr;
   float* values = this->Levels[0]->GetPointer(0);
   const vtkIdType numberOfBricks = reader.GetNumberOfBricks();
   for (vtkIdType round = 0; round < NumberOfRounds; ++round)
@@ -267,7 +269,9 @@ bool vtkVoxelLineDensities::SumSegments(vtkVoxelLineModel* model)
                 double start[3];
                 double stop[3];
                 reader.GetPoints(i, start, stop);
-                sum += opacity(i) * std::sqrt(vtkMath::Distance2BetweenPoints(start, stop));
+                const double width =
+                  radii ? (radii[2 * i] + radii[2 * i + 1]) / (2.0 * 255.0) : 1.0;
+                sum += opacity(i) * width * std::sqrt(vtkMath::Distance2BetweenPoints(start, stop));
               }
               const int bit = voxel[0] % BrickSize +
                 BrickSize * (voxel[1] % BrickSize + BrickSize * (voxel[2] % BrickSize));
@@ -472,6 +476,7 @@ void vtkVoxelLineDensities::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Opacity: " << this->Opacity << "\n";
   os << indent << "HasOpacityTable: " << (this->HasOpacityTable ? "On" : "Off") << "\n";
   os << indent << "UseColorOpacity: " << (this->UseColorOpacity ? "On" : "Off") << "\n";
+  os << indent << "UseRadii: " << (this->UseRadii ? "On" : "Off") << "\n";
   os << indent << "AbortBuild: " << (this->AbortBuild ? "On" : "Off") << "\n";
   os << indent << "Model: " << this->Model.Get() << "\n";
   os << indent << "BuildTime: " << this->BuildTime.GetMTime() << "\n";

@@ -91,6 +91,17 @@ public:
   vtkBooleanMacro(UseColorOpacity, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether segments of a model that has radii count by their width: lengths are then multiplied by
+   * the mean of the radii of both ends over the model's MaximumRadius, so that the density times
+   * twice that radius is what area lines cover from the side. Default off, as in Eq. 1.
+   */
+  vtkSetMacro(UseRadii, bool);
+  vtkGetMacro(UseRadii, bool);
+  vtkBooleanMacro(UseRadii, bool);
+  ///@}
+
   /**
    * Make the densities of a model; at once where neither the model nor an opacity has changed since
    * the last time. An empty model gives no levels. Returns whether the densities are those of
@@ -157,6 +168,7 @@ protected:
   bool HasOpacityTable = false;
   std::array<double, TableSize> OpacityTable{};
   bool UseColorOpacity = true;
+  bool UseRadii = false;
   bool AbortBuild = false;
 
 private:

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How much light the densities of the lines stop along a way, as vtkVoxelLineDensities tells them:
+// level 0 by bricks, the others dense. Positions are grid-local. Common subset of GLSL and C++ with
+// GLM.
+//
+// The engine supplies GridDimensions and BrickDimensions of the model, fetchBrickGrid(int),
+// Real fetchDensity(int level, int i), DensityLevels, and Extinction, by which a density is
+// multiplied to give the optical depth per voxel.
+
+// Beyond this optical depth less than 0.4 % of the light is left.
+const Real DarkDepth = Real(5.5);
+
+ivec3 levelSize(int level)
+{
+  return ((GridDimensions - ivec3(1)) >> level) + ivec3(1);
+}
+
+// Entry of BrickGrid for a voxel inside the grid.
+int brickGridAt(ivec3 voxel)
+{
+  return fetchBrickGrid(
+    (voxel.x >> 2) + BrickDimensions.x * ((voxel.y >> 2) + BrickDimensions.y * (voxel.z >> 2)));
+}
+
+int voxelInBrick(ivec3 voxel)
+{
+  return (voxel.x & 3) | ((voxel.y & 3) << 2) | ((voxel.z & 3) << 4);
+}
+
+// Density of a voxel of a level; 0 outside the grid.
+Real voxelDensity(ivec3 voxel, int level, ivec3 size)
+{
+  if (min(min(voxel.x, voxel.y), voxel.z) < 0 || voxel.x >= size.x || voxel.y >= size.y || voxel.z >= size.z)
+  {
+    return Real(0);
+  }
+  if (level == 0)
+  {
+    int brick = brickGridAt(voxel);
+    return brick < 0 ? Real(0) : fetchDensity(0, 64 * brick + voxelInBrick(voxel));
+  }
+  return fetchDensity(level, voxel.x + size.x * (voxel.y + size.y * voxel.z));
+}
+
+// The density between the centres of eight voxels, of which first has the lowest index and the others
+// follow by the strides.
+Real mixDensities(int level, int first, int strideY, int strideZ, vec3 part)
+{
+  Real d00 = mix(fetchDensity(level, first), fetchDensity(level, first + 1), part.x);
+  Real d10 = mix(fetchDensity(level, first + strideY), fetchDensity(level, first + strideY + 1), part.x);
+  first += strideZ;
+  Real d01 = mix(fetchDensity(level, first), fetchDensity(level, first + 1), part.x);
+  Real d11 = mix(fetchDensity(level, first + strideY), fetchDensity(level, first + strideY + 1), part.x);
+  return mix(mix(d00, d10, part.y), mix(d01, d11, part.y), part.z);
+}
+
+// Density at a position, interpolated trilinearly between the centres of a level's voxels.
+Real densityAt(vec3 position, int level, Real edge)
+{
+  ivec3 size = levelSize(level);
+  vec3 x = position / edge - vec3(Real(0.5));
+  vec3 low = floor(x);
+  vec3 part = x - low;
+  ivec3 voxel = ivec3(low);
+  bool inside = min(min(voxel.x, voxel.y), voxel.z) >= 0 && voxel.x + 1 < size.x && voxel.y + 1 < size.y &&
+    voxel.z + 1 < size.z;
+  if (inside && level > 0)
+  {
+    return mixDensities(
+      level, voxel.x + size.x * (voxel.y + size.y * voxel.z), size.x, size.x * size.y, part);
+  }
+  if (inside && max(max(voxel.x & 3, voxel.y & 3), voxel.z & 3) < 3)
+  {
+    int brick = brickGridAt(voxel);
+    return brick < 0 ? Real(0) : mixDensities(0, 64 * brick + voxelInBrick(voxel), 4, 16, part);
+  }
+  Real sum = Real(0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    ivec3 side = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
+    vec3 weight = mix(vec3(Real(1)) - part, part, vec3(side));
+    sum += weight.x * weight.y * weight.z * voxelDensity(voxel + side, level, size);
+  }
+  return sum;
+}
+
+// How far around a position all bricks are empty, in voxels; 0 near the grid's border and outside.
+Real emptyReach(vec3 position)
+{
+  ivec3 voxel = ivec3(floor(position));
+  if (min(min(voxel.x, voxel.y), voxel.z) < 0 || voxel.x >= GridDimensions.x ||
+    voxel.y >= GridDimensions.y || voxel.z >= GridDimensions.z)
+  {
+    return Real(0);
+  }
+  return Real(4 * max(-brickGridAt(voxel) - 1, 0));
+}
+
+// Where a ray leaves the grid, grown by half a voxel of the level 1, which is as far as densities reach.
+Real gridExit(vec3 origin, vec3 direction)
+{
+  Real leave = Beyond;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (abs(direction[axis]) > Real(1e-6))
+    {
+      Real side = direction[axis] > Real(0) ? Real(GridDimensions[axis]) + Real(1) : -Real(1);
+      leave = min(leave, (side - origin[axis]) / direction[axis]);
+    }
+  }
+  return leave;
+}
+
+// Optical depth of the lines from start to end of a cone that is spread times its length wide. Each
+// step is as long as a voxel of the level whose voxels are about as wide as the cone is there.
+Real coneDepth(vec3 origin, vec3 direction, Real start, Real end, Real spread)
+{
+  Real limit = DarkDepth / max(Extinction, Real(1e-20));
+  Real last = min(end, gridExit(origin, direction));
+  Real depth = Real(0);
+  Real t = start;
+  int level = 0;
+  Real edge = Real(1);
+  while (t < last && depth < limit)
+  {
+    while (level + 1 < DensityLevels && spread * t >= Real(2) * edge)
+    {
+      level = level + 1;
+      edge = edge * Real(2);
+    }
+    Real way = min(edge, last - t);
+    vec3 position = origin + direction * (t + Real(0.5) * way);
+    // Whole steps, so that all samples behind stay where they are.
+    Real skipped = floor(emptyReach(position) / edge - Real(1));
+    if (skipped >= Real(1))
+    {
+      t += edge * skipped;
+      continue;
+    }
+    depth += densityAt(position, level, edge) * way;
+    t += way;
+  }
+  return depth * Extinction;
+}
