@@ -94,6 +94,12 @@ struct vtkVoxelLineFrame
   /// A ray ends where its opacity reaches this. Above 1: only behind opaque lines.
   float EarlyTermination = 0.99f;
 
+  /// Whether shading casts rays through the tubes; and whether it casts them through the model of a
+  /// level, which is then given to the engine: the one that vtkVoxelLineLevel makes at ShadowLevel.
+  bool SecondaryRays = false;
+  bool LevelRays = false;
+  int ShadowLevel = 1;
+
   /// Opaque selection picture: every line is opaque, and engines give curve indices as well.
   bool Picking = false;
 

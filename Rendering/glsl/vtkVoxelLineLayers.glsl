@@ -59,8 +59,8 @@ void blendLayer(Real seen, bool fromInside, uint segment, int brick, ivec3 voxel
   Real rb;
   fetchSegment(segment, a, b);
   fetchRadii(segment, ra, rb);
-  Real t = middleOfSlab(voxel[AxisW]);
-  vec3 x = RayOrigin + RayDirection * t - vec3(voxel) + RayDirection * (seen - t);
+  Real t = middleOfSlab(voxel[Ray.AxisW]);
+  vec3 x = Ray.Origin + Ray.Direction * t - vec3(voxel) + Ray.Direction * (seen - t);
   Real parameter = tubeParameter(x, a, b);
   Real radius = ra + (rb - ra) * parameter;
   widenTube(t, ra, rb);
@@ -100,11 +100,11 @@ void blendHit(Real entry, Real leave, uint segment, int brick, ivec3 voxel)
   {
     return;
   }
-  if (entry >= RayStart)
+  if (entry >= Ray.Start)
   {
     blendLayer(entry, false, segment, brick, voxel);
   }
-  else if (leave > RayLimit)
+  else if (leave > Ray.Limit)
   {
     return; // the far wall is hidden
   }

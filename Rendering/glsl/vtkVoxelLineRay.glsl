@@ -4,42 +4,48 @@
 // State of a ray on its way through the model; vtkVoxelLineTraversal.glsl tells the method.
 // Common subset of GLSL and C++ with GLM.
 
-vec3 RayOrigin;
-vec3 RayDirection;
-Real RayStart;
-Real RayEnd;
-Real RayLimit; // RayEnd before opaque hits shortened it
-// Half a pixel at a distance t, in voxels, is RayPixel.x + t RayPixel.y.
-vec2 RayPixel;
-// Largest radius that the ray may meet, as it is drawn.
-Real RayRadius;
-// The two minor axes, U before V, and the major one, along which the slabs lie.
-int AxisU;
-int AxisV;
-int AxisW;
-// Distance per unit of w, and u and v as functions of w: u = BaseU + SlopeU w.
-Real PerW;
-Real BaseU;
-Real BaseV;
-Real SlopeU;
-Real SlopeV;
-// Slabs per step of u and of v.
-Real PerU;
-Real PerV;
-// The ray's way over a widened slab k, widened by the radius: [LowU, HighU] + SlopeU k.
-Real LowU;
-Real HighU;
-Real LowV;
-Real HighV;
-// How far the way over a widened slab reaches from its middle, to either side.
-Real ReachU;
-Real ReachV;
-// Size of the grid along the axes, and steps between brick cells.
-int SizeU;
-int SizeV;
-int StrideU;
-int StrideV;
-int StrideW;
+// A ray's geometry and its way through the slabs: all that a second ray must put aside and bring
+// back.
+struct RayState
+{
+  vec3 Origin;
+  vec3 Direction;
+  Real Start;
+  Real End;
+  Real Limit; // End before opaque hits shortened it
+  // Half a pixel at a distance t, in voxels, is Pixel.x + t Pixel.y.
+  vec2 Pixel;
+  // Largest radius that the ray may meet, as it is drawn.
+  Real Radius;
+  // The two minor axes, U before V, and the major one, along which the slabs lie.
+  int AxisU;
+  int AxisV;
+  int AxisW;
+  // Distance per unit of w, and u and v as functions of w: u = BaseU + SlopeU w.
+  Real PerW;
+  Real BaseU;
+  Real BaseV;
+  Real SlopeU;
+  Real SlopeV;
+  // Slabs per step of u and of v.
+  Real PerU;
+  Real PerV;
+  // The ray's way over a widened slab k, widened by the radius: [LowU, HighU] + SlopeU k.
+  Real LowU;
+  Real HighU;
+  Real LowV;
+  Real HighV;
+  // How far the way over a widened slab reaches from its middle, to either side.
+  Real ReachU;
+  Real ReachV;
+  // Size of the grid along the axes, and steps between brick cells.
+  int SizeU;
+  int SizeV;
+  int StrideU;
+  int StrideV;
+  int StrideW;
+};
+RayState Ray;
 
 // Hits that were found and not blended yet; HitOrder lists their places, the farthest first, and
 // behind them the places that are free again.
