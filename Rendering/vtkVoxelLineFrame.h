@@ -91,6 +91,10 @@ struct vtkVoxelLineFrame
   /// Whether wide tubes are lit as lines are, because the light model is for lines alone.
   bool LitAsLines = false;
 
+  /// Whether opacity is that of a ray through the whole diameter of a tube, and less or more of the
+  /// way inside gives less or more of it; else each tube has it. Opaque tubes stay opaque.
+  bool OpacityByPathLength = false;
+
   /// A ray ends where its opacity reaches this. Above 1: only behind opaque lines.
   float EarlyTermination = 0.99f;
 

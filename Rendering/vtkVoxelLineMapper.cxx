@@ -465,6 +465,7 @@ void vtkVoxelLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetIllumination(other->GetIllumination());
     this->SetGlobalIllumination(other->GetGlobalIllumination());
     this->SetSubPixelCoverage(other->SubPixelCoverage);
+    this->SetOpacityByPathLength(other->OpacityByPathLength);
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -481,6 +482,7 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EarlyTermination: " << this->EarlyTermination << "\n";
   os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "SubPixelCoverage: " << (this->SubPixelCoverage ? "On" : "Off") << "\n";
+  os << indent << "OpacityByPathLength: " << (this->OpacityByPathLength ? "On" : "Off") << "\n";
   os << indent << "Illumination:\n";
   this->Internals->Illumination->PrintSelf(os, indent.GetNextIndent());
   os << indent << "GlobalIllumination:\n";

@@ -216,6 +216,21 @@ public:
   vtkBooleanMacro(SubPixelCoverage, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the opacity of a tube depends on how far a ray goes inside it (Kanzler et al., Sec.
+   * 4.1.1). A tube's opacity a, that of the property times that of its colour, is then that of a
+   * ray through its whole diameter 2r; a ray that is inside for a length l, in units of the data,
+   * is covered by 1 - (1 - a)^(l / 2r). So tubes fade towards their edges, and are denser where
+   * they are seen along their axis. How far a ray goes in all tubes of a curve that overlap on its
+   * way counts once. Opaque tubes stay opaque. Default false: each tube that a ray enters has
+   * opacity a, whatever its way inside.
+   */
+  vtkSetMacro(OpacityByPathLength, bool);
+  vtkGetMacro(OpacityByPathLength, bool);
+  vtkBooleanMacro(OpacityByPathLength, bool);
+  ///@}
+
   /// Engine of the last frame: Native or Shader; Automatic before the first one.
   vtkGetMacro(EngineInUse, int);
 
@@ -283,6 +298,7 @@ protected:
   int Engine = Automatic;
   int EngineInUse = Automatic;
   bool SubPixelCoverage = true;
+  bool OpacityByPathLength = false;
   double ModelBuildTime = 0.0;
 
 private:

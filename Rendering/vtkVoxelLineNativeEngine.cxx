@@ -150,6 +150,7 @@ struct RayCaster
     , SpecularPower(settings.Light.SpecularPower)
     , Opacity(settings.Opacity)
     , AllOpaque(settings.IsOpaque())
+    , OpacityByPathLength(settings.OpacityByPathLength && !settings.IsOpaque())
     , EarlyTermination(settings.EarlyTermination)
     , ViewFromLocal(settings.ViewFromLocal)
     , NormalFromLocal(settings.NormalFromLocal)
@@ -387,6 +388,7 @@ struct RayCaster
   Real SpecularPower;
   Real Opacity;
   bool AllOpaque;
+  bool OpacityByPathLength;
   Real EarlyTermination;
   mat4 ViewFromLocal;
   mat3 NormalFromLocal;

@@ -226,6 +226,7 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
   }
   vtkVoxelLineColoring::SetColors(frame, scene.Mapper, scene.Model);
   Widen(scene, tubes, frame, warnings);
+  frame.OpacityByPathLength = scene.Mapper->GetOpacityByPathLength();
   const double early = scene.Mapper->GetEarlyTermination();
   frame.EarlyTermination = early < 1.0 ? static_cast<float>(early) : NeverEarly;
 

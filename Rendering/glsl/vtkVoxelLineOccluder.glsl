@@ -50,6 +50,17 @@ void meetOpaqueTube(uint segment, int brick, Real entry, Real leave)
   }
 }
 
+// How far the ray goes in a tube that it enters at x, in diameters, as if the tube were straight and
+// had no ends.
+Real diametersInside(vec3 x, vec3 a, vec3 b, Real ra, Real rb)
+{
+  vec3 ba = b - a;
+  Real baba = dot(ba, ba);
+  Real along = dot(ba, Ray.Direction);
+  Real across2 = baba > Real(0) ? Real(1) - along * along / baba : Real(1);
+  return max(-dot(Ray.Direction, tubeNormal(x, a, b, ra, rb)), Real(0)) / max(across2, Real(1e-6));
+}
+
 // A tube that an occlusion ray crosses from entry to leave, where it is at x, relative to the voxel.
 void meetOccluder(uint segment, int brick, vec3 x, vec3 a, vec3 b, Real ra, Real rb, Real entry,
   Real leave)
@@ -65,6 +76,11 @@ void meetOccluder(uint segment, int brick, vec3 x, vec3 a, vec3 b, Real ra, Real
   else if (entry > OccluderStart && isOnWall(x, a, b, ra, rb))
   {
     Real opacity = segmentColor(segment, tubeParameter(x, a, b)).w * Opacity;
-    Transmittance *= Real(1) - clamp(opacity, Real(0), Real(1));
+    Real clear = Real(1) - clamp(opacity, Real(0), Real(1));
+    if (OpacityByPathLength && clear > Real(0))
+    {
+      clear = pow(clear, diametersInside(x, a, b, ra, rb));
+    }
+    Transmittance *= clear;
   }
 }

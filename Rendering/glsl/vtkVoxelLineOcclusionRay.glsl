@@ -20,7 +20,7 @@
 // the spheres at its ends, which lie within the neighbours. For straight lines this is exact.
 // At a bend the outer side has a gap, in which nothing counts, and the inner side an overlap, in
 // which both segments do: with the same measure, so that the mean remains. The round ends of curves
-// do not count.
+// do not count. With OpacityByPathLength, the way inside is that in a straight tube without ends.
 //
 // Of the engine it asks, beyond what the traversal does, for SecondaryRays and LevelRays: whether
 // there are any; LevelScale, the width of a voxel in voxels of the level;

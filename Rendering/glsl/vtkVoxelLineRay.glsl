@@ -58,9 +58,10 @@ uint HitSegment[HitCapacity];
 int HitBrick[HitCapacity];
 ivec3 HitVoxel[HitCapacity];
 
-// Layers of tubes in which the ray starts, put off until it leaves them.
+// Layers of tubes in which the ray starts, put off until it leaves them; and how far it goes in them.
 int InsideCount;
 Real InsideLeave[InsideCapacity];
+Real InsideLength[InsideCapacity];
 uint InsideSegment[InsideCapacity];
 int InsideBrick[InsideCapacity];
 ivec3 InsideVoxel[InsideCapacity];
@@ -82,6 +83,13 @@ bool Resuming = false;
 int ActiveCount;
 uint ActiveCurve[ActiveCapacity];
 Real ActiveLeave[ActiveCapacity];
+// With OpacityByPathLength: the light of the wall where the ray came in, and how far it has gone
+// inside, in diameters; negative where it started inside.
+vec3 ActiveShade[ActiveCapacity];
+Real ActivePath[ActiveCapacity];
+// Place of the last hit's curve among them, and where the curve's stretch ended before that hit.
+int HitSlot;
+Real HitFrom;
 
 // Result: colour multiplied by opacity, opacity; distance of the first layer (or a negative curve:
 // none); curve of the first layer; whether a curve's exit had to be forgotten.

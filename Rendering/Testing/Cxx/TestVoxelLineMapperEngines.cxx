@@ -75,9 +75,15 @@ std::vector<Case> MakeCases()
     mapper->SetResolution(64);
     mapper->SetRadius(0.07);
   };
+  const auto byLength = [](vtkVoxelLineMapper* mapper, vtkPolyData*)
+  {
+    mapper->SetRadius(0.07);
+    mapper->OpacityByPathLengthOn();
+  };
   return { { "scalars", scalars }, { "one colour", uniform }, { "direct colours", direct },
     { "NaN", nan }, { "radii", radii }, { "clipped", clipped }, { "256 bins", fine },
-    { "exact points", exact }, { "tubes of several voxels", wide } };
+    { "exact points", exact }, { "tubes of several voxels", wide },
+    { "opacity by path length", byLength } };
 }
 
 // Lines and a sphere, three lights.
