@@ -95,6 +95,10 @@ struct vtkVoxelLineFrame
   /// way inside gives less or more of it; else each tube has it. Opaque tubes stay opaque.
   bool OpacityByPathLength = false;
 
+  /// Whether rays look only into voxels that they pass, by which parts of tubes that reach out of
+  /// their voxel are missing.
+  bool Interactive = false;
+
   /// A ray ends where its opacity reaches this. Above 1: only behind opaque lines.
   float EarlyTermination = 0.99f;
 

@@ -242,6 +242,24 @@ void vtkVoxelLineMapper::SetEngine(int engine)
 }
 
 //------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetQuality(int quality)
+{
+  if (quality != AutomaticQuality && quality != InteractiveQuality && quality != StillQuality)
+  {
+    vtkErrorMacro("Quality " << quality << " is not valid: it must be automatic ("
+                             << AutomaticQuality << "), interactive (" << InteractiveQuality
+                             << ") or still (" << StillQuality << "). It stays " << this->Quality
+                             << ".");
+    return;
+  }
+  if (this->Quality != quality)
+  {
+    this->Quality = quality;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkVoxelLineMapper::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -424,6 +442,7 @@ void vtkVoxelLineMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     vtkWarningMacro(<< steps);
   }
   this->EngineInUse = this->Internals->Painter.GetEngineInUse();
+  this->QualityInUse = this->Internals->Painter.GetQualityInUse();
   this->TimeToDraw = this->Internals->Painter.GetSeconds();
   this->UpdateProgress(1.0);
 }
@@ -466,6 +485,7 @@ void vtkVoxelLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetGlobalIllumination(other->GetGlobalIllumination());
     this->SetSubPixelCoverage(other->SubPixelCoverage);
     this->SetOpacityByPathLength(other->OpacityByPathLength);
+    this->SetQuality(other->Quality);
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -483,6 +503,8 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "SubPixelCoverage: " << (this->SubPixelCoverage ? "On" : "Off") << "\n";
   os << indent << "OpacityByPathLength: " << (this->OpacityByPathLength ? "On" : "Off") << "\n";
+  os << indent << "Quality: " << this->Quality << "\n";
+  os << indent << "QualityInUse: " << this->QualityInUse << "\n";
   os << indent << "Illumination:\n";
   this->Internals->Illumination->PrintSelf(os, indent.GetNextIndent());
   os << indent << "GlobalIllumination:\n";

@@ -131,6 +131,7 @@ struct RayCaster
     , Planes(settings.ClippingPlanes.data())
     , Radius(settings.Radius)
     , LargestRadius(settings.ThinTubes ? settings.LargestRadius : settings.Radius)
+    , Interactive(settings.Interactive)
     , ThinTubes(settings.ThinTubes)
     , NarrowTubes(settings.NarrowTubes)
     , LitAsLines(settings.LitAsLines)
@@ -368,6 +369,7 @@ struct RayCaster
   ivec3 BrickDimensions;
   Real Radius;
   Real LargestRadius;
+  bool Interactive;
   bool ThinTubes;
   bool NarrowTubes;
   bool LitAsLines;

@@ -29,6 +29,10 @@ namespace
 // An early end that no sum of opacities reaches: rays end behind opaque lines only.
 constexpr float NeverEarly = 2.0f;
 
+// Frames per second from which on a window is taken to be interacted with: VTK's interactor asks
+// for 15 while something moves, ParaView for 5, and for far below 1 at rest.
+constexpr double InteractiveRate = 1.0;
+
 // Points are selected on top of a picture that was drawn just before; this much nearer, in units of
 // the depth buffer, so that rounding between two engines does not matter.
 constexpr float SelectionDepthOffset = -1e-5f;
@@ -78,6 +82,17 @@ int vtkVoxelLinePainter::ChooseEngine(int engine, vtkOpenGLRenderWindow* window)
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   return IsSoftwareRenderer(name ? name : "") ? vtkVoxelLineMapper::Native
                                               : vtkVoxelLineMapper::Shader;
+}
+
+//------------------------------------------------------------------------------
+int vtkVoxelLinePainter::ChooseQuality(int quality, vtkRenderWindow* window)
+{
+  if (quality != vtkVoxelLineMapper::AutomaticQuality)
+  {
+    return quality;
+  }
+  return window->GetDesiredUpdateRate() >= InteractiveRate ? vtkVoxelLineMapper::InteractiveQuality
+                                                           : vtkVoxelLineMapper::StillQuality;
 }
 
 //------------------------------------------------------------------------------
@@ -226,6 +241,8 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
   }
   vtkVoxelLineColoring::SetColors(frame, scene.Mapper, scene.Model);
   Widen(scene, tubes, frame, warnings);
+  this->QualityInUse = ChooseQuality(scene.Mapper->GetQuality(), window);
+  frame.Interactive = this->QualityInUse == vtkVoxelLineMapper::InteractiveQuality;
   frame.OpacityByPathLength = scene.Mapper->GetOpacityByPathLength();
   const double early = scene.Mapper->GetEarlyTermination();
   frame.EarlyTermination = early < 1.0 ? static_cast<float>(early) : NeverEarly;

@@ -89,6 +89,12 @@ public:
   /// vtkVoxelLineMapper::EngineType that would cast rays in a window.
   static int ChooseEngine(int engine, vtkOpenGLRenderWindow* window);
 
+  /// vtkVoxelLineMapper::QualityType of pictures in a window.
+  static int ChooseQuality(int quality, vtkRenderWindow* window);
+
+  /// Quality of the last picture.
+  int GetQualityInUse() const { return this->QualityInUse; }
+
   /// Engine of the last Draw().
   int GetEngineInUse() const { return this->EngineInUse; }
 
@@ -153,6 +159,7 @@ private:
   std::vector<std::uint8_t> PickColors;
 
   int EngineInUse = 0;
+  int QualityInUse = 0;
   double Seconds = 0.0;
   vtkIdType NumberOfPictures = 0;
 };

@@ -35,6 +35,7 @@ std::string vtkVoxelLineShaderUniforms::MakeConstants(
   constant("bool", "Picking", frame.Picking ? 1 : 0);
   constant("bool", "AllOpaque", frame.IsOpaque() ? 1 : 0);
   constant("bool", "OpacityByPathLength", frame.OpacityByPathLength && !frame.IsOpaque() ? 1 : 0);
+  constant("bool", "Interactive", frame.Interactive ? 1 : 0);
   constant("bool", "ThinTubes", frame.ThinTubes ? 1 : 0);
   constant("bool", "NarrowTubes", frame.NarrowTubes ? 1 : 0);
   constant("bool", "LitAsLines", frame.LitAsLines ? 1 : 0);

@@ -99,6 +99,7 @@ Real castOcclusionRay(vec3 origin, vec3 direction, Real end)
   Ray.Limit = end;
   Ray.Pixel = vec2(Real(0));
   Ray.Radius = Radius;
+  Ray.Reach = Radius;
   Transmittance = Real(1);
   Real gridStart = Real(0);
   Real gridEnd = end;

@@ -17,6 +17,8 @@ struct RayState
   vec2 Pixel;
   // Largest radius that the ray may meet, as it is drawn.
   Real Radius;
+  // How far around its way the ray looks into voxels.
+  Real Reach;
   // The two minor axes, U before V, and the major one, along which the slabs lie.
   int AxisU;
   int AxisV;
@@ -30,7 +32,7 @@ struct RayState
   // Slabs per step of u and of v.
   Real PerU;
   Real PerV;
-  // The ray's way over a widened slab k, widened by the radius: [LowU, HighU] + SlopeU k.
+  // The ray's way over a widened slab k, widened by Reach: [LowU, HighU] + SlopeU k.
   Real LowU;
   Real HighU;
   Real LowV;

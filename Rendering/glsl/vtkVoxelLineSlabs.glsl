@@ -31,7 +31,7 @@ uint sliceOfBrick(uvec4 record, int layer)
 void visitVoxel(int u, int v, int slab, int brick, uvec4 record)
 {
   // A voxel farther from the ray than this, centre to line, holds nothing that reaches the ray.
-  Real reach = Ray.Radius + Real(0.8661);
+  Real reach = Ray.Reach + Real(0.8661);
   ivec3 voxel = Ray.AxisW == 0 ? ivec3(slab, u, v) : (Ray.AxisW == 1 ? ivec3(u, slab, v) : ivec3(u, v, slab));
   Real t = middleOfSlab(slab);
   vec3 local = Ray.Origin + Ray.Direction * t - vec3(voxel);
@@ -54,7 +54,7 @@ void visitVoxel(int u, int v, int slab, int brick, uvec4 record)
   }
 }
 
-// Visits the voxels of a slab that lie within the radius of the ray's way over the widened slab.
+// Visits the voxels of a slab that lie within reach of the ray's way over the widened slab.
 // Returns whether any brick there holds segments.
 bool visitSlab(int slab)
 {
@@ -153,12 +153,12 @@ void prepareSlabs()
   Ray.PerV = Real(1) / max(abs(Ray.SlopeV), Real(1e-6));
   Ray.BaseU = Ray.Origin[Ray.AxisU] - o * Ray.SlopeU;
   Ray.BaseV = Ray.Origin[Ray.AxisV] - o * Ray.SlopeV;
-  Ray.LowU = Ray.BaseU + min(-Ray.Radius * Ray.SlopeU, (Real(1) + Ray.Radius) * Ray.SlopeU) - Ray.Radius;
-  Ray.HighU = Ray.BaseU + max(-Ray.Radius * Ray.SlopeU, (Real(1) + Ray.Radius) * Ray.SlopeU) + Ray.Radius;
-  Ray.LowV = Ray.BaseV + min(-Ray.Radius * Ray.SlopeV, (Real(1) + Ray.Radius) * Ray.SlopeV) - Ray.Radius;
-  Ray.HighV = Ray.BaseV + max(-Ray.Radius * Ray.SlopeV, (Real(1) + Ray.Radius) * Ray.SlopeV) + Ray.Radius;
-  Ray.ReachU = (Real(0.5) + Ray.Radius) * abs(Ray.SlopeU) + Ray.Radius;
-  Ray.ReachV = (Real(0.5) + Ray.Radius) * abs(Ray.SlopeV) + Ray.Radius;
+  Ray.LowU = Ray.BaseU + min(-Ray.Reach * Ray.SlopeU, (Real(1) + Ray.Reach) * Ray.SlopeU) - Ray.Reach;
+  Ray.HighU = Ray.BaseU + max(-Ray.Reach * Ray.SlopeU, (Real(1) + Ray.Reach) * Ray.SlopeU) + Ray.Reach;
+  Ray.LowV = Ray.BaseV + min(-Ray.Reach * Ray.SlopeV, (Real(1) + Ray.Reach) * Ray.SlopeV) - Ray.Reach;
+  Ray.HighV = Ray.BaseV + max(-Ray.Reach * Ray.SlopeV, (Real(1) + Ray.Reach) * Ray.SlopeV) + Ray.Reach;
+  Ray.ReachU = (Real(0.5) + Ray.Reach) * abs(Ray.SlopeU) + Ray.Reach;
+  Ray.ReachV = (Real(0.5) + Ray.Reach) * abs(Ray.SlopeV) + Ray.Reach;
   Ray.SizeU = GridDimensions[Ray.AxisU];
   Ray.SizeV = GridDimensions[Ray.AxisV];
   ivec3 strides = ivec3(1, BrickDimensions.x, BrickDimensions.x * BrickDimensions.y);
@@ -167,7 +167,7 @@ void prepareSlabs()
   Ray.StrideW = strides[Ray.AxisW];
 }
 
-// Narrows an interval of the ray to the grid, widened by the radius.
+// Narrows an interval of the ray to the grid, widened by Reach.
 void clipToGrid(LS_INOUT(Real) start, LS_INOUT(Real) end)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -177,15 +177,15 @@ void clipToGrid(LS_INOUT(Real) start, LS_INOUT(Real) end)
     Real size = Real(GridDimensions[axis]);
     if (abs(d) < Real(1e-9))
     {
-      if (o < -Ray.Radius || o > size + Ray.Radius)
+      if (o < -Ray.Reach || o > size + Ray.Reach)
       {
         end = start - Real(1);
       }
       continue;
     }
     Real perUnit = Real(1) / d;
-    Real t0 = (-Ray.Radius - o) * perUnit;
-    Real t1 = (size + Ray.Radius - o) * perUnit;
+    Real t0 = (-Ray.Reach - o) * perUnit;
+    Real t1 = (size + Ray.Reach - o) * perUnit;
     start = max(start, min(t0, t1));
     end = min(end, max(t0, t1));
   }

@@ -17,6 +17,11 @@
 // A curve gives one layer for each stretch of the ray inside its tubes: hits come in order of entry,
 // and one that begins before its curve's last exit only prolongs that stretch.
 //
+// With Interactive, the ray looks only into the voxels that it passes (Kanzler, Rautenhaus and Westermann 2019, Sec. 4.1): slabs are
+// not widened, and what reaches out of its voxel is missing where the ray passes other voxels only.
+// Hits are then blended up to where the next slab begins; one that is found later and begins before,
+// since its tube reaches into the slab before its own, is blended late.
+//
 // Where the ray starts inside a tube (camera or clipping plane inside), the tube's far wall is seen:
 // its layer is put off until the ray leaves the tube.
 //
@@ -25,7 +30,7 @@
 // The engine supplies what vtkVoxelLineFrame and vtkVoxelLineModel tell: GridDimensions,
 // BrickDimensions, Radius, LargestRadius, ThinTubes, NarrowTubes, LitAsLines, HasRadii, SegmentWords, FaceBits, InteriorBins, IdExtension, Coloring,
 // HasNaN, AmbientColor, DiffuseColor, Ambient, Diffuse, Opacity, Lighting, AllOpaque, Picking,
-// OpacityByPathLength (false where AllOpaque is set), EarlyTermination, NormalFromLocal, ViewFromLocal; the constants HitCapacity, ActiveCapacity,
+// Interactive, OpacityByPathLength (false where AllOpaque is set), EarlyTermination, NormalFromLocal, ViewFromLocal; the constants HitCapacity, ActiveCapacity,
 // InsideCapacity and Beyond, a distance that no ray reaches; and
 //   int fetchBrickGrid(int), uvec4 fetchBrick(int), uint fetchBrickFirstCurve(int),
 //   uint fetchVoxelStart(uint), uint fetchSegmentWord(uint), uint fetchIdExtension(uint),
@@ -41,6 +46,7 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
   Real gridStart = start;
   Real gridEnd = end;
   Ray.Radius = LargestRadius;
+  Ray.Reach = Interactive ? Real(0) : Ray.Radius;
   clipToGrid(gridStart, gridEnd);
   if (!(gridStart < gridEnd))
   {
@@ -49,6 +55,7 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
   if (ThinTubes)
   {
     Ray.Radius = max(Radius, max(halfPixelAt(gridStart), halfPixelAt(gridEnd)));
+    Ray.Reach = Interactive ? Real(0) : Ray.Radius;
   }
   Ray.Start = start;
   Ray.End = end;
@@ -75,7 +82,7 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
   prepareSlabs();
   int slabs = GridDimensions[Ray.AxisW];
   int way = direction[Ray.AxisW] > Real(0) ? 1 : -1;
-  Real widening = Real(way) * Ray.Radius;
+  Real widening = Real(way) * Ray.Reach;
   Real atStart = origin[Ray.AxisW] + direction[Ray.AxisW] * gridStart - widening;
   Real atEnd = origin[Ray.AxisW] + direction[Ray.AxisW] * gridEnd + widening;
   int firstSlab = slabAt(atStart, slabs);

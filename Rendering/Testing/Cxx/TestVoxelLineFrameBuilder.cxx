@@ -408,6 +408,7 @@ void CheckSamePicture(Checks& check)
     [](vtkVoxelLineFrame& f) { f.ThinTubes = true; },
     [](vtkVoxelLineFrame& f) { f.LitAsLines = true; },
     [](vtkVoxelLineFrame& f) { f.OpacityByPathLength = true; },
+    [](vtkVoxelLineFrame& f) { f.Interactive = true; },
     [](vtkVoxelLineFrame& f) { f.SecondaryRays = true; },
     [](vtkVoxelLineFrame& f) { f.LevelRays = true; },
     [](vtkVoxelLineFrame& f) { f.ShadowLevel = 2; },
