@@ -91,8 +91,22 @@ struct vtkVoxelLineFrame
   /// Whether wide tubes are lit as lines are, because the light model is for lines alone.
   bool LitAsLines = false;
 
+  /// Whether opacity is that of a ray through the whole diameter of a tube, and less or more of the
+  /// way inside gives less or more of it; else each tube has it. Opaque tubes stay opaque.
+  bool OpacityByPathLength = false;
+
+  /// Whether rays look only into voxels that they pass, by which parts of tubes that reach out of
+  /// their voxel are missing.
+  bool Interactive = false;
+
   /// A ray ends where its opacity reaches this. Above 1: only behind opaque lines.
   float EarlyTermination = 0.99f;
+
+  /// Whether shading casts rays through the tubes; and whether it casts them through the model of a
+  /// level, which is then given to the engine: the one that vtkVoxelLineLevel makes at ShadowLevel.
+  bool SecondaryRays = false;
+  bool LevelRays = false;
+  int ShadowLevel = 1;
 
   /// Opaque selection picture: every line is opaque, and engines give curve indices as well.
   bool Picking = false;

@@ -261,6 +261,24 @@ void vtkVoxelLineMapper::SetAccumulationFrames(int frames)
 }
 
 //------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetQuality(int quality)
+{
+  if (quality != AutomaticQuality && quality != InteractiveQuality && quality != StillQuality)
+  {
+    vtkErrorMacro("Quality " << quality << " is not valid: it must be automatic ("
+                             << AutomaticQuality << "), interactive (" << InteractiveQuality
+                             << ") or still (" << StillQuality << "). It stays " << this->Quality
+                             << ".");
+    return;
+  }
+  if (this->Quality != quality)
+  {
+    this->Quality = quality;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkVoxelLineMapper::GetNumberOfAccumulatedPictures()
 {
   return this->Internals->Painter.GetNumberOfAccumulatedPictures();
@@ -449,6 +467,7 @@ void vtkVoxelLineMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     vtkWarningMacro(<< steps);
   }
   this->EngineInUse = this->Internals->Painter.GetEngineInUse();
+  this->QualityInUse = this->Internals->Painter.GetQualityInUse();
   this->TimeToDraw = this->Internals->Painter.GetSeconds();
   this->UpdateProgress(1.0);
 }
@@ -491,6 +510,8 @@ void vtkVoxelLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetGlobalIllumination(other->GetGlobalIllumination());
     this->SetSubPixelCoverage(other->SubPixelCoverage);
     this->SetAccumulationFrames(other->AccumulationFrames);
+    this->SetOpacityByPathLength(other->OpacityByPathLength);
+    this->SetQuality(other->Quality);
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -509,6 +530,9 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SubPixelCoverage: " << (this->SubPixelCoverage ? "On" : "Off") << "\n";
   os << indent << "AccumulationFrames: " << this->AccumulationFrames << "\n";
   os << indent << "NumberOfAccumulatedPictures: " << this->GetNumberOfAccumulatedPictures() << "\n";
+  os << indent << "OpacityByPathLength: " << (this->OpacityByPathLength ? "On" : "Off") << "\n";
+  os << indent << "Quality: " << this->Quality << "\n";
+  os << indent << "QualityInUse: " << this->QualityInUse << "\n";
   os << indent << "Illumination:\n";
   this->Internals->Illumination->PrintSelf(os, indent.GetNextIndent());
   os << indent << "GlobalIllumination:\n";

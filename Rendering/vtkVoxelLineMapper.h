@@ -89,6 +89,14 @@ public:
     Shader = 2     ///< in a fragment shader (OpenGL 3.2)
   };
 
+  /// What is drawn of tubes that reach out of their voxels.
+  enum QualityType
+  {
+    AutomaticQuality = 0,   ///< by the window's desired update rate
+    InteractiveQuality = 1, ///< what lies in voxels that a ray passes
+    StillQuality = 2        ///< all of it
+  };
+
   ///@{
   /**
    * The input without a pipeline. Any other way of vtkAlgorithm serves as well, with port 0.
@@ -248,6 +256,42 @@ public:
    */
   int GetNumberOfAccumulatedPictures();
 
+  ///@{
+  /**
+   * Whether the opacity of a tube depends on how far a ray goes inside it (Kanzler et al., Sec.
+   * 4.1.1). A tube's opacity a, that of the property times that of its colour, is then that of a
+   * ray through its whole diameter 2r; a ray that is inside for a length l, in units of the data,
+   * is covered by 1 - (1 - a)^(l / 2r). So tubes fade towards their edges, and are denser where
+   * they are seen along their axis. How far a ray goes in all tubes of a curve that overlap on its
+   * way counts once. Opaque tubes stay opaque. Default false: each tube that a ray enters has
+   * opacity a, whatever its way inside.
+   */
+  vtkSetMacro(OpacityByPathLength, bool);
+  vtkGetMacro(OpacityByPathLength, bool);
+  vtkBooleanMacro(OpacityByPathLength, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Speed or completeness (QualityType; Kanzler et al., Sec. 4.1). Still: tubes are whole.
+   * Interactive: a ray looks only into the voxels that it passes, which is faster, but parts of
+   * tubes that reach out of the voxels of their line are missing, the more, the wider tubes are
+   * compared to voxels; and transparent ones may be blended in the wrong order where they reach
+   * into the voxel before. Automatic, the default: Interactive where the render window's
+   * DesiredUpdateRate is 1 per second or above, as it is while vtkRenderWindowInteractor moves
+   * something, else Still, as in a window without an interactor. Selection and rays to lights take
+   * whole tubes. Another value is an error.
+   */
+  virtual void SetQuality(int quality);
+  vtkGetMacro(Quality, int);
+  void SetQualityToAutomatic() { this->SetQuality(AutomaticQuality); }
+  void SetQualityToInteractive() { this->SetQuality(InteractiveQuality); }
+  void SetQualityToStill() { this->SetQuality(StillQuality); }
+  ///@}
+
+  /// Quality of the last frame: Interactive or Still; Automatic before the first one.
+  vtkGetMacro(QualityInUse, int);
+
   /// Engine of the last frame: Native or Shader; Automatic before the first one.
   vtkGetMacro(EngineInUse, int);
 
@@ -315,8 +359,11 @@ protected:
   double EarlyTermination = 0.99;
   int Engine = Automatic;
   int EngineInUse = Automatic;
+  int Quality = AutomaticQuality;
+  int QualityInUse = AutomaticQuality;
   bool SubPixelCoverage = true;
   int AccumulationFrames = 1;
+  bool OpacityByPathLength = false;
   double ModelBuildTime = 0.0;
 
 private:

@@ -13,8 +13,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -114,7 +116,8 @@ struct RayCaster
   static constexpr int InsideCapacity = 32;
   static constexpr Real Beyond = 1e30f;
 
-  RayCaster(vtkVoxelLineModel* source, const vtkVoxelLineFrame& settings)
+  RayCaster(
+    vtkVoxelLineModel* source, const vtkVoxelLineFrame& settings, vtkVoxelLineModel* levelSource)
     : Model(ViewModel(source))
     , Frame(settings)
     , RayOrigins(settings.Origin)
@@ -128,6 +131,7 @@ struct RayCaster
     , Planes(settings.ClippingPlanes.data())
     , Radius(settings.Radius)
     , LargestRadius(settings.ThinTubes ? settings.LargestRadius : settings.Radius)
+    , Interactive(settings.Interactive)
     , ThinTubes(settings.ThinTubes)
     , NarrowTubes(settings.NarrowTubes)
     , LitAsLines(settings.LitAsLines)
@@ -147,6 +151,7 @@ struct RayCaster
     , SpecularPower(settings.Light.SpecularPower)
     , Opacity(settings.Opacity)
     , AllOpaque(settings.IsOpaque())
+    , OpacityByPathLength(settings.OpacityByPathLength && !settings.IsOpaque())
     , EarlyTermination(settings.EarlyTermination)
     , ViewFromLocal(settings.ViewFromLocal)
     , NormalFromLocal(settings.NormalFromLocal)
@@ -157,7 +162,16 @@ struct RayCaster
     , PowerMeans(settings.Light.Table.get())
     , TabulatedMeans(settings.Light.Table != nullptr)
     , LightCount(static_cast<int>(settings.Light.Lights.size()))
+    , SecondaryRays(settings.SecondaryRays || settings.LevelRays)
+    , LevelRays(settings.LevelRays && levelSource && levelSource->GetNumberOfSegments() > 0)
+    , LevelScale(std::ldexp(1.0f, -settings.ShadowLevel))
   {
+    if (this->LevelRays)
+    {
+      this->OtherModel = ViewModel(levelSource);
+      levelSource->GetDimensions(&this->OtherGridDimensions[0]);
+      levelSource->GetBrickDimensions(&this->OtherBrickDimensions[0]);
+    }
     source->GetDimensions(&this->GridDimensions[0]);
     source->GetBrickDimensions(&this->BrickDimensions[0]);
     while ((1 << this->FaceBits) < source->GetFaceBins())
@@ -230,6 +244,18 @@ struct RayCaster
     return value;
   }
 
+  // --- The model of a level takes the place of the model for a while ---
+
+  void beginLevel() { this->exchangeModels(true); }
+  void endLevel() { this->exchangeModels(false); }
+  void exchangeModels(bool onLevel)
+  {
+    std::swap(this->Model, this->OtherModel);
+    std::swap(this->GridDimensions, this->OtherGridDimensions);
+    std::swap(this->BrickDimensions, this->OtherBrickDimensions);
+    this->OnLevel = onLevel;
+  }
+
   // --- Candidates: one-word segments are tested 64 at a time ---
 
   void beginCandidates(uint first, uint end, const vec3& local)
@@ -282,7 +308,7 @@ struct RayCaster
   /// The plane across the ray, and where the bins of the six faces lie in it.
   void beginRay()
   {
-    const vec3& direction = this->RayDirection;
+    const vec3& direction = this->Ray.Direction;
     const vec3 other = abs(direction.x) < 0.6f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
     this->PlaneX = normalize(cross(direction, other));
     this->PlaneY = cross(direction, this->PlaneX);
@@ -307,9 +333,23 @@ struct RayCaster
       }
     }
     // Rounding in the projection is far below a thousandth of a bin of 32.
-    const float wide = this->RayRadius * 1.001f + 1e-4f;
+    const float wide = this->Ray.Radius * 1.001f + 1e-4f;
     this->Projection.Radius2 = wide * wide;
     this->Projection.FaceBits = this->FaceBits;
+  }
+
+  // Between slabs, no candidates wait.
+  void putRayAside()
+  {
+    this->AsideProjection = this->Projection;
+    this->AsidePlaneX = this->PlaneX;
+    this->AsidePlaneY = this->PlaneY;
+  }
+  void bringRayBack()
+  {
+    this->Projection = this->AsideProjection;
+    this->PlaneX = this->AsidePlaneX;
+    this->PlaneY = this->AsidePlaneY;
   }
 
   // --- Settings, named as the traversal names them ---
@@ -329,6 +369,7 @@ struct RayCaster
   ivec3 BrickDimensions;
   Real Radius;
   Real LargestRadius;
+  bool Interactive;
   bool ThinTubes;
   bool NarrowTubes;
   bool LitAsLines;
@@ -349,6 +390,7 @@ struct RayCaster
   Real SpecularPower;
   Real Opacity;
   bool AllOpaque;
+  bool OpacityByPathLength;
   Real EarlyTermination;
   mat4 ViewFromLocal;
   mat3 NormalFromLocal;
@@ -365,11 +407,21 @@ struct RayCaster
   std::vector<vec3> LightColor;
   std::vector<vec3> LightAttenuation;
   std::vector<vec2> LightSpot;
+  bool SecondaryRays;
+  bool LevelRays;
+  Real LevelScale;
+  bool OnLevel = false;
+  ModelView OtherModel;
+  ivec3 OtherGridDimensions;
+  ivec3 OtherBrickDimensions;
 
   vtkVoxelLineCandidateTest CandidateTest;
   vtkVoxelLineProjection Projection;
   vec3 PlaneX;
   vec3 PlaneY;
+  vtkVoxelLineProjection AsideProjection;
+  vec3 AsidePlaneX;
+  vec3 AsidePlaneY;
   uint CandidateFirst;
   uint CandidateEnd;
   uint CandidateStop;
@@ -389,7 +441,13 @@ struct RayCaster
 
 #include "glsl/vtkVoxelLineSegment.glsl"
 
+#include "glsl/vtkVoxelLineOccluder.glsl"
+
 #include "glsl/vtkVoxelLineHits.glsl"
+
+#include "glsl/vtkVoxelLineSlabs.glsl"
+
+#include "glsl/vtkVoxelLineOcclusionRay.glsl"
 
 #include "glsl/vtkVoxelLineShading.glsl"
 
@@ -416,8 +474,8 @@ const char* vtkVoxelLineNativeEngine::GetInstructionSet()
   return name;
 }
 
-void vtkVoxelLineNativeEngine::Render(
-  vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, vtkVoxelLinePicture& picture)
+void vtkVoxelLineNativeEngine::Render(vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame,
+  vtkVoxelLinePicture& picture, vtkVoxelLineModel* levelModel)
 {
   const int width = std::max(frame.Width, 0);
   const int height = std::max(frame.Height, 0);
@@ -431,7 +489,7 @@ void vtkVoxelLineNativeEngine::Render(
     return;
   }
 
-  const RayCaster prototype(model, frame);
+  const RayCaster prototype(model, frame, levelModel);
   std::atomic<vtkIdType> overflows(0);
   const int tilesX = (width + TileSize - 1) / TileSize;
   const int tilesY = (height + TileSize - 1) / TileSize;
@@ -473,4 +531,19 @@ void vtkVoxelLineNativeEngine::Render(
   };
   vtkSMPTools::For(0, static_cast<vtkIdType>(tilesX) * tilesY, 4, renderTiles);
   picture.NumberOfOverflows = overflows;
+}
+
+std::vector<float> vtkVoxelLineNativeEngine::CastSecondaryRays(vtkVoxelLineModel* model,
+  const vtkVoxelLineFrame& frame, const std::vector<vtkVoxelLineSecondaryRay>& rays,
+  vtkVoxelLineModel* levelModel)
+{
+  RayCaster caster(model, frame, levelModel);
+  std::vector<float> through;
+  for (const vtkVoxelLineSecondaryRay& ray : rays)
+  {
+    through.push_back(frame.LevelRays
+        ? caster.levelTransmittance(ray.Origin, ray.Direction, ray.End)
+        : caster.transmittance(ray.Origin, ray.Direction, ray.End));
+  }
+  return through;
 }

@@ -11,6 +11,7 @@
 #ifndef vtkVoxelLineNativeEngine_h
 #define vtkVoxelLineNativeEngine_h
 
+#include "vtkRenderingLineSetsModule.h" // For export macro
 #include "vtkVoxelLineFrame.h"
 
 #include "vtkType.h"
@@ -34,16 +35,37 @@ struct vtkVoxelLinePicture
   vtkIdType NumberOfOverflows = 0;
 };
 
-class vtkVoxelLineNativeEngine
+/// A ray origin + t direction, 0 < t < End, in grid-local coordinates; the direction has length 1.
+struct vtkVoxelLineSecondaryRay
+{
+  glm::vec3 Origin;
+  glm::vec3 Direction;
+  float End;
+};
+
+class VTKRENDERINGLINESETS_EXPORT vtkVoxelLineNativeEngine
 {
 public:
   /// Whether this processor runs the wide candidate tests, for information: "AVX-512", "AVX2",
   /// "generic".
   static const char* GetInstructionSet();
 
-  /// Render one picture. The model must not change meanwhile.
-  static void Render(
-    vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, vtkVoxelLinePicture& picture);
+  /**
+   * Render one picture. The models must not change meanwhile. levelModel is what vtkVoxelLineLevel
+   * makes of the model at the frame's ShadowLevel, where the frame has LevelRays; without it light
+   * is not stopped by a level.
+   */
+  static void Render(vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame,
+    vtkVoxelLinePicture& picture, vtkVoxelLineModel* levelModel = nullptr);
+
+  /**
+   * What part of the light, 0 to 1, comes through the tubes along each ray, one after another: what
+   * shading finds for its own rays. Through the level where the frame has LevelRays, else through
+   * the model where it has SecondaryRays. For tests.
+   */
+  static std::vector<float> CastSecondaryRays(vtkVoxelLineModel* model,
+    const vtkVoxelLineFrame& frame, const std::vector<vtkVoxelLineSecondaryRay>& rays,
+    vtkVoxelLineModel* levelModel = nullptr);
 };
 
 #endif

@@ -26,6 +26,10 @@ namespace
 // An early end that no sum of opacities reaches: rays end behind opaque lines only.
 constexpr float NeverEarly = 2.0f;
 
+// Frames per second from which on a window is taken to be interacted with: VTK's interactor asks
+// for 15 while something moves, ParaView for 5, and for far below 1 at rest.
+constexpr double InteractiveRate = 1.0;
+
 bool IsSoftwareRenderer(std::string name)
 {
   std::transform(name.begin(), name.end(), name.begin(),
@@ -70,6 +74,17 @@ int vtkVoxelLinePainter::ChooseEngine(int engine, vtkOpenGLRenderWindow* window)
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   return IsSoftwareRenderer(name ? name : "") ? vtkVoxelLineMapper::Native
                                               : vtkVoxelLineMapper::Shader;
+}
+
+//------------------------------------------------------------------------------
+int vtkVoxelLinePainter::ChooseQuality(int quality, vtkRenderWindow* window)
+{
+  if (quality != vtkVoxelLineMapper::AutomaticQuality)
+  {
+    return quality;
+  }
+  return window->GetDesiredUpdateRate() >= InteractiveRate ? vtkVoxelLineMapper::InteractiveQuality
+                                                           : vtkVoxelLineMapper::StillQuality;
 }
 
 //------------------------------------------------------------------------------
@@ -161,6 +176,9 @@ std::string vtkVoxelLinePainter::Describe(vtkVoxelLinePictureKey& wanted, const 
   }
   vtkVoxelLineColoring::SetColors(frame, scene.Mapper, scene.Model);
   scene.Widen(tubes, frame, warnings);
+  frame.Interactive = ChooseQuality(scene.Mapper->GetQuality(), renderer->GetRenderWindow()) ==
+    vtkVoxelLineMapper::InteractiveQuality;
+  frame.OpacityByPathLength = scene.Mapper->GetOpacityByPathLength();
   const double early = scene.Mapper->GetEarlyTermination();
   frame.EarlyTermination = early < 1.0 ? static_cast<float>(early) : NeverEarly;
   return {};
@@ -179,6 +197,8 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
   {
     return error;
   }
+  this->QualityInUse = wanted.Frame.Interactive ? vtkVoxelLineMapper::InteractiveQuality
+                                                : vtkVoxelLineMapper::StillQuality;
   if (!this->Last.IsSame(wanted))
   {
     if (this->CanAdd(scene, wanted) && this->LeaveToTranslucentPass(scene, actor, wanted))

@@ -72,6 +72,12 @@ public:
   /// vtkVoxelLineMapper::EngineType that would cast rays in a window.
   static int ChooseEngine(int engine, vtkOpenGLRenderWindow* window);
 
+  /// vtkVoxelLineMapper::QualityType of pictures in a window.
+  static int ChooseQuality(int quality, vtkRenderWindow* window);
+
+  /// Quality of the last picture.
+  int GetQualityInUse() const { return this->QualityInUse; }
+
   /// Engine of the last Draw().
   int GetEngineInUse() const { return this->EngineInUse; }
 
@@ -137,6 +143,7 @@ private:
   vtkWeakPointer<vtkRenderer> LeftRenderer;
 
   int EngineInUse = 0;
+  int QualityInUse = 0;
   double Seconds = 0.0;
   vtkIdType NumberOfPictures = 0;
 };

@@ -5,10 +5,9 @@
 #define LINESETS_USE_OPENGL
 #include "vtkLineSetsCompatibilityPrivate.h"
 
-#include "vtkDataArray.h"
+#include "vtkLineSetsBufferTexture.h"
 #include "vtkLineSetsLightingUniforms.h"
 #include "vtkNew.h"
-#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -16,8 +15,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVoxelLineModel.h"
+#include "vtkVoxelLineModelBuffers.h"
 #include "vtkVoxelLineShaderUniforms.h"
 #include "vtkWeakPointer.h"
 
@@ -27,65 +26,22 @@
 #include "vtkVoxelLineFragment.h"
 #include "vtkVoxelLineHits.h"
 #include "vtkVoxelLineLayers.h"
+#include "vtkVoxelLineOccluder.h"
+#include "vtkVoxelLineOcclusionRay.h"
 #include "vtkVoxelLinePacking.h"
 #include "vtkVoxelLinePixel.h"
 #include "vtkVoxelLineRay.h"
 #include "vtkVoxelLineSegment.h"
 #include "vtkVoxelLineShading.h"
+#include "vtkVoxelLineSlabs.h"
 #include "vtkVoxelLineTraversal.h"
 #include "vtkVoxelLineVertex.h"
 
 #include <algorithm>
-#include <map>
 #include <sstream>
 
 namespace
 {
-/// Errors of others are theirs to report. Returns false where they do not end.
-bool ForgetGLErrors()
-{
-  // A context without a window reports errors without end, hence the limit.
-  int errors = 0;
-  while (errors < 16 && glGetError() != GL_NO_ERROR)
-  {
-    ++errors;
-  }
-  return errors < 16;
-}
-
-/// A buffer of the model and the texture through which the shader reads it.
-struct BufferTexture
-{
-  vtkNew<vtkOpenGLBufferObject> Buffer;
-  vtkNew<vtkTextureObject> Texture;
-  std::size_t Bytes = 0;
-
-  /// Upload values of one component each. Returns whether there was memory for them.
-  bool Upload(vtkOpenGLRenderWindow* window, const void* data, std::size_t values,
-    std::size_t valueSize, unsigned int format, int components, int vtkType)
-  {
-    this->Bytes = values * components * valueSize;
-    if (!ForgetGLErrors() ||
-      !this->Buffer->Upload(static_cast<const unsigned char*>(data), this->Bytes,
-        vtkOpenGLBufferObject::TextureBuffer) ||
-      glGetError() != GL_NO_ERROR)
-    {
-      return false;
-    }
-    this->Texture->SetContext(window);
-    this->Texture->SetInternalFormat(format);
-    return this->Texture->CreateTextureBuffer(
-      static_cast<unsigned int>(values), components, vtkType, this->Buffer);
-  }
-
-  void Release(vtkWindow* window)
-  {
-    this->Texture->ReleaseGraphicsResources(window);
-    this->Buffer->ReleaseGraphicsResources();
-    this->Bytes = 0;
-  }
-};
-
 /// Whether samples are being counted by somebody else.
 bool IsQueryUnderWay(vtkOpenGLRenderWindow* window)
 {
@@ -105,24 +61,14 @@ bool IsQueryUnderWay(vtkOpenGLRenderWindow* window)
   }
   return query != 0;
 }
-
-/// The integer formats by size of a number.
-unsigned int UnsignedFormat(int size)
-{
-  return size == 1 ? GL_R8UI : (size == 2 ? GL_R16UI : GL_R32UI);
-}
 }
 
 struct vtkVoxelLineShaderEngine::Internals
 {
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  vtkWeakPointer<vtkVoxelLineModel> Model;
-  vtkMTimeType ModelTime = 0;
-  // The model that found no room, and what was said: it is not tried again in every frame.
-  vtkWeakPointer<vtkVoxelLineModel> FailedModel;
-  vtkMTimeType FailedTime = 0;
-  std::string FailedError;
-  std::map<std::string, BufferTexture> Buffers;
+  vtkVoxelLineModelBuffers Model{ "", true };
+  vtkVoxelLineModelBuffers Level{ "Level", false };
+  vtkLineSetsBufferTexture ColorTable;
   vtkLineSetsLightingUniforms Lighting;
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;
@@ -143,34 +89,22 @@ struct vtkVoxelLineShaderEngine::Internals
     return false;
   }
 
-  void ReleaseBuffers(vtkWindow* window);
   void ReleaseTargets(vtkWindow* window);
   bool IsContextGone() const;
   void Forget();
   void Release();
   bool Check(vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame);
-  bool UploadModel(vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model);
-  bool UploadArray(vtkOpenGLRenderWindow* window, const char* name, vtkDataArray* array,
-    unsigned int format, int components = 1);
+  bool UploadModels(
+    vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model, vtkVoxelLineModel* level);
   bool UploadTable(vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame);
   bool PrepareTargets(vtkOpenGLRenderWindow* window, int width, int height);
   bool BindTargets(vtkOpenGLRenderWindow* window);
   bool PrepareQuad(vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model,
-    const vtkVoxelLineFrame& frame, bool hasScene);
-  void ActivateBuffers();
+    const vtkVoxelLineFrame& frame, bool hasScene, bool hasLevel);
+  void ActivateBuffers(bool hasLevel);
+  void DeactivateBuffers();
   void CountOverflows(vtkOpenGLRenderWindow* window);
 };
-
-void vtkVoxelLineShaderEngine::Internals::ReleaseBuffers(vtkWindow* window)
-{
-  for (auto& buffer : this->Buffers)
-  {
-    buffer.second.Release(window);
-  }
-  this->Buffers.clear();
-  this->Model = nullptr;
-  this->ModelTime = 0;
-}
 
 void vtkVoxelLineShaderEngine::Internals::ReleaseTargets(vtkWindow* window)
 {
@@ -185,18 +119,16 @@ void vtkVoxelLineShaderEngine::Internals::ReleaseTargets(vtkWindow* window)
 bool vtkVoxelLineShaderEngine::Internals::IsContextGone() const
 {
   // A window releases textures by itself before its context goes, but not buffers.
-  return !this->Window ||
-    (!this->Buffers.empty() && this->Buffers.begin()->second.Texture->GetHandle() == 0);
+  return !this->Window || this->Model.IsGone();
 }
 
 void vtkVoxelLineShaderEngine::Internals::Forget()
 {
   // What went with its context must not be deleted by number in another one, which VTK's objects
   // would do at their end: these few small objects are left behind without an owner.
-  for (auto& buffer : this->Buffers)
-  {
-    buffer.second.Buffer->Register(nullptr);
-  }
+  this->Model.Forget();
+  this->Level.Forget();
+  this->ColorTable.Forget();
   static_cast<void>(this->Quad.release());
   static_cast<void>(this->CountQuad.release());
   this->CountQuery = 0;
@@ -215,7 +147,9 @@ void vtkVoxelLineShaderEngine::Internals::Release()
   else
   {
     window->PushContext();
-    this->ReleaseBuffers(window);
+    this->Model.Release(window);
+    this->Level.Release(window);
+    this->ColorTable.Release(window);
     this->Quad.reset();
     this->CountQuad.reset();
     if (this->CountQuery != 0)
@@ -225,14 +159,11 @@ void vtkVoxelLineShaderEngine::Internals::Release()
     this->ReleaseTargets(window);
     window->PopContext();
   }
-  this->Buffers.clear();
   this->QuadKind.clear();
   this->CountQuery = 0;
   this->Size[0] = this->Size[1] = 0;
-  this->Model = nullptr;
-  this->ModelTime = 0;
-  this->FailedModel = nullptr;
-  this->FailedTime = 0;
+  this->Model.Retry();
+  this->Level.Retry();
   this->Window = nullptr;
 }
 
@@ -266,81 +197,27 @@ bool vtkVoxelLineShaderEngine::Internals::Check(
   return true;
 }
 
-bool vtkVoxelLineShaderEngine::Internals::UploadArray(vtkOpenGLRenderWindow* window,
-  const char* name, vtkDataArray* array, unsigned int format, int components)
+bool vtkVoxelLineShaderEngine::Internals::UploadModels(
+  vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model, vtkVoxelLineModel* level)
 {
-  // A sampler must have a buffer even where the shader never reads it.
-  static const unsigned char nothing[16] = { 0 };
-  const std::size_t values =
-    array ? static_cast<std::size_t>(array->GetNumberOfValues()) / components : 0;
-  int largest = 0;
-  window->GetState()->vtkglGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest);
-  if (values > static_cast<std::size_t>(largest))
+  if (!this->Model.Upload(window, model))
   {
-    return this->Fail("The model's array " + std::string(name) + " has " + std::to_string(values) +
-      " values; a texture buffer of this OpenGL holds at most " + std::to_string(largest) +
-      " (GL_MAX_TEXTURE_BUFFER_SIZE). Lower the Resolution or use the native engine.");
+    return this->Fail(this->Model.GetError());
   }
-  const int valueSize = array ? array->GetDataTypeSize() : 4;
-  const int type = array ? array->GetDataType() : VTK_UNSIGNED_INT;
-  BufferTexture& buffer = this->Buffers[name];
-  if (!buffer.Upload(window, values ? array->GetVoidPointer(0) : nothing, values ? values : 1,
-        valueSize, format, components, type))
+  if (!level)
   {
-    return this->Fail("There is no memory on the graphics device for " +
-      std::to_string(buffer.Bytes) + " bytes of the model (array " + name +
-      "). Lower the Resolution or use the native engine.");
-  }
-  return true;
-}
-
-bool vtkVoxelLineShaderEngine::Internals::UploadModel(
-  vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model)
-{
-  if (this->Model == model && this->ModelTime == model->GetMTime())
-  {
+    // Nothing reads it: others may need its memory.
+    this->Level.Release(window);
     return true;
   }
-  if (this->FailedModel == model && this->FailedTime == model->GetMTime())
-  {
-    return this->Fail(this->FailedError);
-  }
-  this->Model = nullptr;
-  this->FailedModel = nullptr;
-  vtkDataArray* extension = model->GetCurveIdExtension();
-  const bool direct = model->GetAttributeKind() == vtkVoxelLineModel::Color;
-  const bool uploaded = this->UploadArray(window, "BrickGrid", model->GetBrickGrid(), GL_R32I) &&
-    this->UploadArray(window, "Bricks", model->GetBricks(), GL_R32UI) &&
-    this->UploadArray(window, "VoxelStarts", model->GetVoxelStarts(),
-      UnsignedFormat(model->GetVoxelStarts()->GetDataTypeSize())) &&
-    this->UploadArray(window, "Segments", model->GetSegments(), GL_R32UI) &&
-    this->UploadArray(window, "CurveIdExtension", extension,
-      UnsignedFormat(extension ? extension->GetDataTypeSize() : 4)) &&
-    this->UploadArray(window, "BrickCurves", model->GetBrickCurves(), GL_R32UI) &&
-    this->UploadArray(
-      window, "Attributes", model->GetAttributes(), direct ? GL_RGBA8 : GL_R8, direct ? 4 : 1) &&
-    this->UploadArray(window, "Radii", model->GetRadii(), GL_R8);
-  if (uploaded)
-  {
-    this->Model = model;
-    this->ModelTime = model->GetMTime();
-  }
-  else
-  {
-    // A part of a model is of no use: others may need its memory.
-    this->ReleaseBuffers(window);
-    this->FailedModel = model;
-    this->FailedTime = model->GetMTime();
-    this->FailedError = this->Error;
-  }
-  return uploaded;
+  return this->Level.Upload(window, level) || this->Fail(this->Level.GetError());
 }
 
 bool vtkVoxelLineShaderEngine::Internals::UploadTable(
   vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame)
 {
-  return this->Buffers["ColorTable"].Upload(window, frame.ColorTable.data(),
-           frame.ColorTable.size(), sizeof(float), GL_RGBA32F, 4, VTK_FLOAT) ||
+  return this->ColorTable.Upload(window, frame.ColorTable.data(), frame.ColorTable.size(),
+           sizeof(float), GL_RGBA32F, 4, VTK_FLOAT) ||
     this->Fail("There is no memory on the graphics device for a colour table of 4096 bytes.");
 }
 
@@ -366,7 +243,8 @@ bool vtkVoxelLineShaderEngine::Internals::PrepareTargets(
     texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   }
   // Not Resize(), which does not tell whether there was memory.
-  if (!ForgetGLErrors() || !this->Color->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR) ||
+  if (!vtkLineSetsBufferTexture::ForgetGLErrors() ||
+    !this->Color->Allocate2D(width, height, 4, VTK_UNSIGNED_CHAR) ||
     !this->Depth->Allocate2D(width, height, 2, VTK_FLOAT) || glGetError() != GL_NO_ERROR)
   {
     this->ReleaseTargets(window);
@@ -397,15 +275,17 @@ bool vtkVoxelLineShaderEngine::Internals::BindTargets(vtkOpenGLRenderWindow* win
 }
 
 bool vtkVoxelLineShaderEngine::Internals::PrepareQuad(vtkOpenGLRenderWindow* window,
-  vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene)
+  vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene, bool hasLevel)
 {
-  const std::string kind = vtkVoxelLineShaderUniforms::MakeConstants(model, frame, hasScene);
+  const std::string kind =
+    vtkVoxelLineShaderUniforms::MakeConstants(model, frame, hasScene, hasLevel);
   if (!this->Quad || this->QuadKind != kind)
   {
     std::string source = std::string("//VTK::System::Dec\n//VTK::Output::Dec\n") +
       vtkVoxelLineFetch + vtkVoxelLinePacking + vtkVoxelLineCapsule + vtkVoxelLineRay +
-      vtkVoxelLineSegment + vtkVoxelLineHits + vtkVoxelLineShading + vtkVoxelLineLayers +
-      vtkVoxelLineTraversal + vtkVoxelLinePixel + vtkVoxelLineFragment;
+      vtkVoxelLineSegment + vtkVoxelLineOccluder + vtkVoxelLineHits + vtkVoxelLineSlabs +
+      vtkVoxelLineOcclusionRay + vtkVoxelLineShading + vtkVoxelLineLayers + vtkVoxelLineTraversal +
+      vtkVoxelLinePixel + vtkVoxelLineFragment;
     vtkShaderProgram::Substitute(source, "//LineSets::Constants", kind);
     this->Quad.reset();
     if (!window->GetShaderCache()->ReadyShaderProgram(vtkVoxelLineVertex, source.c_str(), ""))
@@ -421,18 +301,22 @@ bool vtkVoxelLineShaderEngine::Internals::PrepareQuad(vtkOpenGLRenderWindow* win
   return true;
 }
 
-void vtkVoxelLineShaderEngine::Internals::ActivateBuffers()
+void vtkVoxelLineShaderEngine::Internals::ActivateBuffers(bool hasLevel)
 {
   vtkShaderProgram* program = this->Quad->Program;
-  for (auto& buffer : this->Buffers)
+  this->Model.Activate(program);
+  if (hasLevel)
   {
-    // The compiler may have removed what this kind of shader does not read.
-    if (program->IsUniformUsed(buffer.first.c_str()))
-    {
-      buffer.second.Texture->Activate();
-      program->SetUniformi(buffer.first.c_str(), buffer.second.Texture->GetTextureUnit());
-    }
+    this->Level.Activate(program);
   }
+  this->ColorTable.Activate(program, "ColorTable");
+}
+
+void vtkVoxelLineShaderEngine::Internals::DeactivateBuffers()
+{
+  this->Model.Deactivate();
+  this->Level.Deactivate();
+  this->ColorTable.Deactivate();
 }
 
 void vtkVoxelLineShaderEngine::Internals::CountOverflows(vtkOpenGLRenderWindow* window)
@@ -483,7 +367,7 @@ vtkVoxelLineShaderEngine::~vtkVoxelLineShaderEngine()
 }
 
 bool vtkVoxelLineShaderEngine::Render(vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model,
-  const vtkVoxelLineFrame& frame, vtkTextureObject* sceneDepth)
+  const vtkVoxelLineFrame& frame, vtkTextureObject* sceneDepth, vtkVoxelLineModel* levelModel)
 {
   Internals& data = *this->Data;
   data.Error.clear();
@@ -501,7 +385,9 @@ bool vtkVoxelLineShaderEngine::Render(vtkOpenGLRenderWindow* window, vtkVoxelLin
   {
     return data.Fail("The model has no segments.");
   }
-  if (!data.Check(window, frame) || !data.UploadModel(window, model) ||
+  vtkVoxelLineModel* level =
+    frame.LevelRays && levelModel && levelModel->GetNumberOfSegments() > 0 ? levelModel : nullptr;
+  if (!data.Check(window, frame) || !data.UploadModels(window, model, level) ||
     !data.UploadTable(window, frame) || !data.PrepareTargets(window, frame.Width, frame.Height))
   {
     return false;
@@ -525,15 +411,16 @@ bool vtkVoxelLineShaderEngine::Render(vtkOpenGLRenderWindow* window, vtkVoxelLin
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglDepthMask(GL_FALSE);
 
-    if (data.BindTargets(window) && data.PrepareQuad(window, model, frame, sceneDepth != nullptr))
+    if (data.BindTargets(window) &&
+      data.PrepareQuad(window, model, frame, sceneDepth != nullptr, level != nullptr))
     {
       if (sceneDepth)
       {
         sceneDepth->Activate();
         data.Quad->Program->SetUniformi("SceneDepth", sceneDepth->GetTextureUnit());
       }
-      data.ActivateBuffers();
-      vtkVoxelLineShaderUniforms::Set(data.Quad->Program, model, frame);
+      data.ActivateBuffers(level != nullptr);
+      vtkVoxelLineShaderUniforms::Set(data.Quad->Program, model, frame, level);
       if (data.Lighting.Activate(window, data.Quad->Program, frame.Light))
       {
         data.Quad->Render();
@@ -543,10 +430,7 @@ bool vtkVoxelLineShaderEngine::Render(vtkOpenGLRenderWindow* window, vtkVoxelLin
         data.Fail("There is no memory on the graphics device for the table of the light model.");
       }
       data.Lighting.Deactivate();
-      for (auto& buffer : data.Buffers)
-      {
-        buffer.second.Texture->Deactivate();
-      }
+      data.DeactivateBuffers();
       if (sceneDepth)
       {
         sceneDepth->Deactivate();
@@ -586,12 +470,9 @@ vtkIdType vtkVoxelLineShaderEngine::GetNumberOfOverflows() const
 vtkIdType vtkVoxelLineShaderEngine::GetNumberOfBytes() const
 {
   // The picture has 4 bytes of colour and 8 of depth per pixel.
-  vtkIdType bytes = static_cast<vtkIdType>(12) * this->Data->Size[0] * this->Data->Size[1];
-  for (const auto& buffer : this->Data->Buffers)
-  {
-    bytes += static_cast<vtkIdType>(buffer.second.Bytes);
-  }
-  return bytes;
+  const vtkIdType bytes = static_cast<vtkIdType>(12) * this->Data->Size[0] * this->Data->Size[1];
+  return bytes + this->Data->Model.GetNumberOfBytes() + this->Data->Level.GetNumberOfBytes() +
+    static_cast<vtkIdType>(this->Data->ColorTable.GetNumberOfBytes());
 }
 
 void vtkVoxelLineShaderEngine::ReleaseGraphicsResources(vtkWindow* vtkNotUsed(window))

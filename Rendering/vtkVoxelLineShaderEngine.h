@@ -34,10 +34,12 @@ public:
    * changed. sceneDepth is a depth texture of the frame's size or nullptr; frame.SceneDepth is not
    * used. Returns false, with the reason in GetError(), where the context cannot do it or
    * memory does not suffice; a model that did not fit is not uploaded again before it or the window
-   * changes.
+   * changes. levelModel is what vtkVoxelLineLevel makes of the model at the frame's ShadowLevel,
+   * where the frame has LevelRays; without it light is not stopped by a level.
    */
   bool Render(vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model,
-    const vtkVoxelLineFrame& frame, vtkTextureObject* sceneDepth);
+    const vtkVoxelLineFrame& frame, vtkTextureObject* sceneDepth,
+    vtkVoxelLineModel* levelModel = nullptr);
 
   ///@{
   /// The picture; owned by the engine, nullptr before the first Render().

@@ -8,10 +8,11 @@
 #include "vtkVoxelLineModel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 std::string vtkVoxelLineShaderUniforms::MakeConstants(
-  vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene)
+  vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene, bool hasLevel)
 {
   int faceBits = 0;
   while ((1 << faceBits) < model->GetFaceBins())
@@ -33,16 +34,20 @@ std::string vtkVoxelLineShaderUniforms::MakeConstants(
   constant("bool", "Lighting", frame.Lighting && !frame.Picking ? 1 : 0);
   constant("bool", "Picking", frame.Picking ? 1 : 0);
   constant("bool", "AllOpaque", frame.IsOpaque() ? 1 : 0);
+  constant("bool", "OpacityByPathLength", frame.OpacityByPathLength && !frame.IsOpaque() ? 1 : 0);
+  constant("bool", "Interactive", frame.Interactive ? 1 : 0);
   constant("bool", "ThinTubes", frame.ThinTubes ? 1 : 0);
   constant("bool", "NarrowTubes", frame.NarrowTubes ? 1 : 0);
   constant("bool", "LitAsLines", frame.LitAsLines ? 1 : 0);
   constant("bool", "HasScene", hasScene ? 1 : 0);
+  constant("bool", "SecondaryRays", frame.SecondaryRays || frame.LevelRays ? 1 : 0);
+  constant("bool", "LevelRays", hasLevel ? 1 : 0);
   os << vtkLineSetsLightingUniforms::GetSource(frame.Light);
   return os.str();
 }
 
-void vtkVoxelLineShaderUniforms::Set(
-  vtkShaderProgram* program, vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame)
+void vtkVoxelLineShaderUniforms::Set(vtkShaderProgram* program, vtkVoxelLineModel* model,
+  const vtkVoxelLineFrame& frame, vtkVoxelLineModel* level)
 {
   const auto set1 = [program](const char* name, float value)
   {
@@ -81,6 +86,14 @@ void vtkVoxelLineShaderUniforms::Set(
   set3("GridSize", glm::vec3(size[0], size[1], size[2]));
   model->GetBrickDimensions(size);
   set3("BrickGridSize", glm::vec3(size[0], size[1], size[2]));
+  if (level)
+  {
+    level->GetDimensions(size);
+    set3("LevelGridSize", glm::vec3(size[0], size[1], size[2]));
+    level->GetBrickDimensions(size);
+    set3("LevelBrickGridSize", glm::vec3(size[0], size[1], size[2]));
+    set1("LevelScale", std::ldexp(1.0f, -frame.ShadowLevel));
+  }
   set1("Radius", frame.Radius);
   set1("LargestRadius", frame.ThinTubes ? frame.LargestRadius : frame.Radius);
   set3("AmbientColor", frame.AmbientColor);

@@ -19,12 +19,16 @@ namespace vtkVoxelLineShaderUniforms
 // As many clipping planes as OpenGL guarantees.
 constexpr int MaximumPlanes = 8;
 
-/// The constants that make one kind of shader out of the common source.
-std::string MakeConstants(vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene);
+/// The constants that make one kind of shader out of the common source. hasLevel: the model of a
+/// level is there as well.
+std::string MakeConstants(
+  vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene, bool hasLevel);
 
 /// Set what this kind of shader uses of the frame and of the model's grid; program is in use, and
-/// the frame has no more clipping planes and lights than it takes. Textures are not set.
-void Set(vtkShaderProgram* program, vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame);
+/// the frame has no more clipping planes and lights than it takes. Textures are not set. level is
+/// the model of a level or nullptr.
+void Set(vtkShaderProgram* program, vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame,
+  vtkVoxelLineModel* level);
 }
 
 #endif

@@ -50,18 +50,58 @@ uniform samplerBuffer Radii;
 uniform samplerBuffer ColorTable;
 uniform sampler2D SceneDepth;
 
-// Set from the uniforms by main().
+// The model of a level.
+uniform vec3 LevelGridSize;
+uniform vec3 LevelBrickGridSize;
+uniform float LevelScale;
+uniform isamplerBuffer LevelBrickGrid;
+uniform usamplerBuffer LevelBricks;
+uniform usamplerBuffer LevelVoxelStarts;
+uniform usamplerBuffer LevelSegments;
+uniform samplerBuffer LevelAttributes;
+uniform samplerBuffer LevelRadii;
+
+// Of the model that is fetched from.
 ivec3 GridDimensions;
 ivec3 BrickDimensions;
+bool OnLevel = false;
+
+void beginModel()
+{
+  OnLevel = false;
+  GridDimensions = ivec3(GridSize + vec3(0.5));
+  BrickDimensions = ivec3(BrickGridSize + vec3(0.5));
+}
+
+void beginLevel()
+{
+  OnLevel = true;
+  GridDimensions = ivec3(LevelGridSize + vec3(0.5));
+  BrickDimensions = ivec3(LevelBrickGridSize + vec3(0.5));
+}
+
+void endLevel()
+{
+  beginModel();
+}
 
 int fetchBrickGrid(int cell)
 {
+  if (LevelRays && OnLevel)
+  {
+    return texelFetch(LevelBrickGrid, cell).r;
+  }
   return texelFetch(BrickGrid, cell).r;
 }
 
 uvec4 fetchBrick(int brick)
 {
   int i = 5 * brick;
+  if (LevelRays && OnLevel)
+  {
+    return uvec4(texelFetch(LevelBricks, i).r, texelFetch(LevelBricks, i + 1).r,
+      texelFetch(LevelBricks, i + 2).r, texelFetch(LevelBricks, i + 3).r);
+  }
   return uvec4(texelFetch(Bricks, i).r, texelFetch(Bricks, i + 1).r, texelFetch(Bricks, i + 2).r,
     texelFetch(Bricks, i + 3).r);
 }
@@ -73,11 +113,19 @@ uint fetchBrickFirstCurve(int brick)
 
 uint fetchVoxelStart(uint i)
 {
+  if (LevelRays && OnLevel)
+  {
+    return texelFetch(LevelVoxelStarts, int(i)).r;
+  }
   return texelFetch(VoxelStarts, int(i)).r;
 }
 
 uint fetchSegmentWord(uint i)
 {
+  if (LevelRays && OnLevel)
+  {
+    return texelFetch(LevelSegments, int(i)).r;
+  }
   return texelFetch(Segments, int(i)).r;
 }
 
@@ -91,19 +139,27 @@ uint fetchBrickCurve(uint i)
   return texelFetch(BrickCurves, int(i)).r;
 }
 
+vec4 fetchColor(uint i)
+{
+  if (LevelRays && OnLevel)
+  {
+    return texelFetch(LevelAttributes, int(i));
+  }
+  return texelFetch(Attributes, int(i));
+}
+
 // Attributes are normalized bytes.
 float fetchScalar(uint i)
 {
-  return floor(texelFetch(Attributes, int(i)).r * 255.0 + 0.5);
-}
-
-vec4 fetchColor(uint i)
-{
-  return texelFetch(Attributes, int(i));
+  return floor(fetchColor(i).r * 255.0 + 0.5);
 }
 
 float fetchRadius(uint i)
 {
+  if (LevelRays && OnLevel)
+  {
+    return texelFetch(LevelRadii, int(i)).r;
+  }
   return texelFetch(Radii, int(i)).r;
 }
 
@@ -140,6 +196,14 @@ float exactValue(uint word)
 
 // The traversal intersects every segment: there is nothing faster to leave them out by.
 void beginRay()
+{
+}
+
+void putRayAside()
+{
+}
+
+void bringRayBack()
 {
 }
 

@@ -8,8 +8,7 @@ in vec2 texCoord;
 
 void main()
 {
-  GridDimensions = ivec3(GridSize + vec3(0.5));
-  BrickDimensions = ivec3(BrickGridSize + vec3(0.5));
+  beginModel();
   ivec2 pixel = ivec2(texCoord * PictureSize);
   float sceneDepth = HasScene ? texelFetch(SceneDepth, pixel, 0).r : 1.0;
   vec4 color;

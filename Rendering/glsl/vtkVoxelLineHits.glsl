@@ -8,13 +8,13 @@
 // and to their voxel: near it, numbers are small, so that single precision suffices.
 Real middleOfSlab(int slab)
 {
-  return (Real(slab) + Real(0.5) - RayOrigin[AxisW]) * PerW;
+  return (Real(slab) + Real(0.5) - Ray.Origin[Ray.AxisW]) * Ray.PerW;
 }
 
 // Half a pixel at a distance of the ray, in voxels.
 Real halfPixelAt(Real t)
 {
-  return clamp(RayPixel.x + RayPixel.y * t, Real(0), RayRadius);
+  return clamp(Ray.Pixel.x + Ray.Pixel.y * t, Real(0), Ray.Radius);
 }
 
 // From the radii of a tube to those that it is drawn with: at least half a pixel. t is in the middle
@@ -108,13 +108,18 @@ void visitSegment(uint segment, int brick, ivec3 voxel, vec3 local, Real t)
   fetchSegment(segment, a, b);
   fetchRadii(segment, ra, rb);
   widenTube(t, ra, rb);
-  if (!intersectTube(local, RayDirection, a, b, ra, rb, entry, leave))
+  if (!intersectTube(local, Ray.Direction, a, b, ra, rb, entry, leave))
   {
+    return;
+  }
+  if (SecondaryRays && OcclusionRay)
+  {
+    meetOccluder(segment, brick, local + Ray.Direction * entry, a, b, ra, rb, entry + t, leave + t);
     return;
   }
   entry += t;
   leave += t;
-  if (leave < RayStart || (entry >= RayStart && entry > RayEnd))
+  if (leave < Ray.Start || (entry >= Ray.Start && entry > Ray.End))
   {
     return;
   }
@@ -122,13 +127,13 @@ void visitSegment(uint segment, int brick, ivec3 voxel, vec3 local, Real t)
   {
     return;
   }
-  if (entry < RayStart)
+  if (entry < Ray.Start)
   {
     StartsInside = true;
   }
   else if (Shortening && !StartsInside)
   {
-    RayEnd = entry;
+    Ray.End = entry;
   }
   keepHit(entry, leave, segment, brick, voxel);
 }

@@ -3,6 +3,10 @@
 //
 // Blends hits in order, one layer for each stretch of the ray inside the tubes of a curve.
 // Common subset of GLSL and C++ with GLM.
+//
+// With OpacityByPathLength (Kanzler, Rautenhaus and Westermann 2019, Sec. 4.1.1), a stretch is blended
+// piece by piece: each segment adds the length by which it makes the stretch longer. What the
+// pieces let through is multiplied, so that their order does not matter to the opacity.
 
 // Whether the hit begins a new stretch inside its curve; keeps the curve's exit up to date.
 bool beginsStretch(uint curve, Real entry, Real leave)
@@ -20,12 +24,19 @@ bool beginsStretch(uint curve, Real entry, Real leave)
       ActiveCount = ActiveCount - 1;
       ActiveCurve[i] = ActiveCurve[ActiveCount];
       ActiveLeave[i] = ActiveLeave[ActiveCount];
+      if (OpacityByPathLength)
+      {
+        ActiveShade[i] = ActiveShade[ActiveCount];
+        ActivePath[i] = ActivePath[ActiveCount];
+      }
       continue;
     }
     i = i + 1;
   }
   if (slot >= 0)
   {
+    HitSlot = slot;
+    HitFrom = ActiveLeave[slot];
     bool inside = entry <= ActiveLeave[slot];
     ActiveLeave[slot] = inside ? max(ActiveLeave[slot], leave) : leave;
     return !inside;
@@ -45,13 +56,49 @@ bool beginsStretch(uint curve, Real entry, Real leave)
     slot = ActiveCount;
     ActiveCount = ActiveCount + 1;
   }
+  HitSlot = slot;
   ActiveCurve[slot] = curve;
   ActiveLeave[slot] = leave;
   return true;
 }
 
-// Shades the segment where the ray meets its wall and blends it as the next layer.
-void blendLayer(Real seen, bool fromInside, uint segment, int brick, ivec3 voxel)
+// Opacity of a tube that covers a part of its width. opacity is that of a ray through the whole
+// diameter; with OpacityByPathLength, the ray has gone through some diameters before and goes on up
+// to some, so that what is blended piece by piece adds up.
+Real layerOpacity(Real opacity, Real coverage, Real before, Real upTo)
+{
+  if (!OpacityByPathLength)
+  {
+    return opacity * coverage;
+  }
+  if (opacity >= Real(1))
+  {
+    return before > Real(0) ? Real(0) : coverage;
+  }
+  Real clear = Real(1) - max(opacity, Real(0));
+  Real clearBefore = Real(1) - coverage * (Real(1) - pow(clear, before));
+  Real clearUpTo = Real(1) - coverage * (Real(1) - pow(clear, upTo));
+  return max(Real(1) - clearUpTo / max(clearBefore, Real(1e-30)), Real(0));
+}
+
+// Blends what is seen at a distance behind all that was blended before.
+void blend(vec3 shade, Real opacity, Real seen, uint segment, int brick)
+{
+  if (!HasLayer)
+  {
+    HasLayer = true;
+    FirstDistance = seen;
+    FirstCurve = Picking ? int(fetchCurve(segment, brick)) : 0;
+  }
+  Real weight = (Real(1) - RayOpacity) * opacity;
+  RayColor += shade * weight;
+  RayOpacity += weight;
+  Finished = RayOpacity >= EarlyTermination || opacity >= Real(1);
+}
+
+// Shades the segment where the ray meets its wall and blends it as the next layer. The ray goes
+// some way in it.
+void blendLayer(Real seen, bool fromInside, Real way, uint segment, int brick, ivec3 voxel)
 {
   vec3 a;
   vec3 b;
@@ -59,22 +106,20 @@ void blendLayer(Real seen, bool fromInside, uint segment, int brick, ivec3 voxel
   Real rb;
   fetchSegment(segment, a, b);
   fetchRadii(segment, ra, rb);
-  Real t = middleOfSlab(voxel[AxisW]);
-  vec3 x = RayOrigin + RayDirection * t - vec3(voxel) + RayDirection * (seen - t);
+  Real t = middleOfSlab(voxel[Ray.AxisW]);
+  vec3 x = Ray.Origin + Ray.Direction * t - vec3(voxel) + Ray.Direction * (seen - t);
   Real parameter = tubeParameter(x, a, b);
   Real radius = ra + (rb - ra) * parameter;
   widenTube(t, ra, rb);
+  Real drawnRadius = ra + (rb - ra) * parameter;
   vec4 color = segmentColor(segment, parameter);
-  color.w = Picking ? Real(1) : color.w * Opacity * tubeCoverage(radius, ra + (rb - ra) * parameter);
-  if (color.w <= Real(0))
+  Real path = OpacityByPathLength ? way / (Real(2) * max(drawnRadius, Real(1e-20))) : Real(0);
+  color.w = Picking
+    ? Real(1)
+    : layerOpacity(color.w * Opacity, tubeCoverage(radius, drawnRadius), Real(0), path);
+  if (color.w <= Real(0) && !OpacityByPathLength)
   {
     return;
-  }
-  if (!HasLayer)
-  {
-    HasLayer = true;
-    FirstDistance = seen;
-    FirstCurve = Picking ? int(fetchCurve(segment, brick)) : 0;
   }
   vec3 ambient = (Coloring == 0 ? AmbientColor : vec3(color)) * Ambient;
   vec3 diffuse = vec3(color) * Diffuse;
@@ -87,30 +132,55 @@ void blendLayer(Real seen, bool fromInside, uint segment, int brick, ivec3 voxel
       position, fromInside ? -normal : normal, b - a, surfacePart(radius, t), ambient, diffuse);
   }
   shade = clamp(shade, Real(0), Real(1));
-  Real weight = (Real(1) - RayOpacity) * color.w;
-  RayColor += shade * weight;
-  RayOpacity += weight;
-  Finished = RayOpacity >= EarlyTermination || color.w >= Real(1);
+  if (OpacityByPathLength && !fromInside)
+  {
+    ActiveShade[HitSlot] = shade;
+    ActivePath[HitSlot] = path;
+  }
+  if (color.w > Real(0))
+  {
+    blend(shade, color.w, seen, segment, brick);
+  }
 }
 
-void blendHit(Real entry, Real leave, uint segment, int brick, ivec3 voxel)
+// Blends what a further segment adds to a stretch that was seen to begin: the light is that of the
+// wall where it began, the opacity that of the segment over the way from the end of those before.
+void prolongLayer(Real leave, uint segment, int brick, ivec3 voxel)
 {
-  // Opaque lines seen from outside need no stretches: the first hit is all.
-  if ((StartsInside || !AllOpaque) && !beginsStretch(fetchCurve(segment, brick), entry, leave))
+  vec3 a;
+  vec3 b;
+  Real ra;
+  Real rb;
+  fetchSegment(segment, a, b);
+  fetchRadii(segment, ra, rb);
+  Real t = middleOfSlab(voxel[Ray.AxisW]);
+  vec3 x = Ray.Origin + Ray.Direction * t - vec3(voxel) + Ray.Direction * (HitFrom - t);
+  Real parameter = tubeParameter(x, a, b);
+  Real radius = ra + (rb - ra) * parameter;
+  widenTube(t, ra, rb);
+  Real drawnRadius = ra + (rb - ra) * parameter;
+  Real before = ActivePath[HitSlot];
+  Real upTo = before + (leave - HitFrom) / (Real(2) * max(drawnRadius, Real(1e-20)));
+  Real opacity = layerOpacity(segmentColor(segment, parameter).w * Opacity,
+    tubeCoverage(radius, drawnRadius), before, upTo);
+  ActivePath[HitSlot] = upTo;
+  if (opacity > Real(0))
   {
-    return;
+    blend(ActiveShade[HitSlot], opacity, HitFrom, segment, brick);
   }
-  if (entry >= RayStart)
-  {
-    blendLayer(entry, false, segment, brick, voxel);
-  }
-  else if (leave > RayLimit)
+}
+
+// Puts off a layer in which the ray starts, and goes some way, until it leaves the tube.
+void keepInside(Real leave, Real way, uint segment, int brick, ivec3 voxel)
+{
+  if (leave > Ray.Limit)
   {
     return; // the far wall is hidden
   }
-  else if (InsideCount < InsideCapacity)
+  if (InsideCount < InsideCapacity)
   {
     InsideLeave[InsideCount] = leave;
+    InsideLength[InsideCount] = way;
     InsideSegment[InsideCount] = segment;
     InsideBrick[InsideCount] = brick;
     InsideVoxel[InsideCount] = voxel;
@@ -119,8 +189,51 @@ void blendHit(Real entry, Real leave, uint segment, int brick, ivec3 voxel)
   else
   {
     Forgot = true;
-    blendLayer(leave, true, segment, brick, voxel);
+    blendLayer(leave, true, way, segment, brick, voxel);
   }
+}
+
+// What a segment adds to the stretch of its curve, which goes on: with OpacityByPathLength, the
+// length by which the stretch becomes longer.
+void blendProlongation(Real leave, uint segment, int brick, ivec3 voxel)
+{
+  Real from = max(HitFrom, Ray.Start);
+  Real upTo = min(leave, Ray.Limit);
+  if (upTo <= from)
+  {
+    return;
+  }
+  if (ActivePath[HitSlot] < Real(0))
+  {
+    keepInside(leave, leave - from, segment, brick, voxel);
+  }
+  else
+  {
+    prolongLayer(upTo, segment, brick, voxel);
+  }
+}
+
+void blendHit(Real entry, Real leave, uint segment, int brick, ivec3 voxel)
+{
+  // Opaque lines seen from outside need no stretches: the first hit is all.
+  if ((StartsInside || !AllOpaque) && !beginsStretch(fetchCurve(segment, brick), entry, leave))
+  {
+    if (OpacityByPathLength)
+    {
+      blendProlongation(leave, segment, brick, voxel);
+    }
+    return;
+  }
+  if (entry >= Ray.Start)
+  {
+    blendLayer(entry, false, min(leave, Ray.Limit) - entry, segment, brick, voxel);
+    return;
+  }
+  if (OpacityByPathLength)
+  {
+    ActivePath[HitSlot] = Real(-1);
+  }
+  keepInside(leave, leave - Ray.Start, segment, brick, voxel);
 }
 
 // Blends the layers that were put off and come before a distance.
@@ -138,15 +251,17 @@ void blendInside(Real limit)
       return;
     }
     Real leave = InsideLeave[first];
+    Real way = InsideLength[first];
     uint segment = InsideSegment[first];
     int brick = InsideBrick[first];
     ivec3 voxel = InsideVoxel[first];
     InsideCount = InsideCount - 1;
     InsideLeave[first] = InsideLeave[InsideCount];
+    InsideLength[first] = InsideLength[InsideCount];
     InsideSegment[first] = InsideSegment[InsideCount];
     InsideBrick[first] = InsideBrick[InsideCount];
     InsideVoxel[first] = InsideVoxel[InsideCount];
-    blendLayer(leave, true, segment, brick, voxel);
+    blendLayer(leave, true, way, segment, brick, voxel);
   }
 }
 

@@ -58,7 +58,7 @@ void castPixel(Real x, Real y, Real sceneDepth, LS_OUT(vec4) color, LS_OUT(Real)
   {
     return;
   }
-  RayPixel = vec2(HalfPixel.x, HalfPixel.y / size);
+  Ray.Pixel = vec2(HalfPixel.x, HalfPixel.y / size);
   castRay(origin, direction / size, start * size, end * size);
   if (HasLayer && RayOpacity > Real(0))
   {

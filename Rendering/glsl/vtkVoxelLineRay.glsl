@@ -4,42 +4,50 @@
 // State of a ray on its way through the model; vtkVoxelLineTraversal.glsl tells the method.
 // Common subset of GLSL and C++ with GLM.
 
-vec3 RayOrigin;
-vec3 RayDirection;
-Real RayStart;
-Real RayEnd;
-Real RayLimit; // RayEnd before opaque hits shortened it
-// Half a pixel at a distance t, in voxels, is RayPixel.x + t RayPixel.y.
-vec2 RayPixel;
-// Largest radius that the ray may meet, as it is drawn.
-Real RayRadius;
-// The two minor axes, U before V, and the major one, along which the slabs lie.
-int AxisU;
-int AxisV;
-int AxisW;
-// Distance per unit of w, and u and v as functions of w: u = BaseU + SlopeU w.
-Real PerW;
-Real BaseU;
-Real BaseV;
-Real SlopeU;
-Real SlopeV;
-// Slabs per step of u and of v.
-Real PerU;
-Real PerV;
-// The ray's way over a widened slab k, widened by the radius: [LowU, HighU] + SlopeU k.
-Real LowU;
-Real HighU;
-Real LowV;
-Real HighV;
-// How far the way over a widened slab reaches from its middle, to either side.
-Real ReachU;
-Real ReachV;
-// Size of the grid along the axes, and steps between brick cells.
-int SizeU;
-int SizeV;
-int StrideU;
-int StrideV;
-int StrideW;
+// A ray's geometry and its way through the slabs: all that a second ray must put aside and bring
+// back.
+struct RayState
+{
+  vec3 Origin;
+  vec3 Direction;
+  Real Start;
+  Real End;
+  Real Limit; // End before opaque hits shortened it
+  // Half a pixel at a distance t, in voxels, is Pixel.x + t Pixel.y.
+  vec2 Pixel;
+  // Largest radius that the ray may meet, as it is drawn.
+  Real Radius;
+  // How far around its way the ray looks into voxels.
+  Real Reach;
+  // The two minor axes, U before V, and the major one, along which the slabs lie.
+  int AxisU;
+  int AxisV;
+  int AxisW;
+  // Distance per unit of w, and u and v as functions of w: u = BaseU + SlopeU w.
+  Real PerW;
+  Real BaseU;
+  Real BaseV;
+  Real SlopeU;
+  Real SlopeV;
+  // Slabs per step of u and of v.
+  Real PerU;
+  Real PerV;
+  // The ray's way over a widened slab k, widened by Reach: [LowU, HighU] + SlopeU k.
+  Real LowU;
+  Real HighU;
+  Real LowV;
+  Real HighV;
+  // How far the way over a widened slab reaches from its middle, to either side.
+  Real ReachU;
+  Real ReachV;
+  // Size of the grid along the axes, and steps between brick cells.
+  int SizeU;
+  int SizeV;
+  int StrideU;
+  int StrideV;
+  int StrideW;
+};
+RayState Ray;
 
 // Hits that were found and not blended yet; HitOrder lists their places, the farthest first, and
 // behind them the places that are free again.
@@ -52,9 +60,10 @@ uint HitSegment[HitCapacity];
 int HitBrick[HitCapacity];
 ivec3 HitVoxel[HitCapacity];
 
-// Layers of tubes in which the ray starts, put off until it leaves them.
+// Layers of tubes in which the ray starts, put off until it leaves them; and how far it goes in them.
 int InsideCount;
 Real InsideLeave[InsideCapacity];
+Real InsideLength[InsideCapacity];
 uint InsideSegment[InsideCapacity];
 int InsideBrick[InsideCapacity];
 ivec3 InsideVoxel[InsideCapacity];
@@ -76,6 +85,13 @@ bool Resuming = false;
 int ActiveCount;
 uint ActiveCurve[ActiveCapacity];
 Real ActiveLeave[ActiveCapacity];
+// With OpacityByPathLength: the light of the wall where the ray came in, and how far it has gone
+// inside, in diameters; negative where it started inside.
+vec3 ActiveShade[ActiveCapacity];
+Real ActivePath[ActiveCapacity];
+// Place of the last hit's curve among them, and where the curve's stretch ended before that hit.
+int HitSlot;
+Real HitFrom;
 
 // Result: colour multiplied by opacity, opacity; distance of the first layer (or a negative curve:
 // none); curve of the first layer; whether a curve's exit had to be forgotten.

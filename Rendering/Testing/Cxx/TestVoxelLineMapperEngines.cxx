@@ -75,9 +75,18 @@ std::vector<Case> MakeCases()
     mapper->SetResolution(64);
     mapper->SetRadius(0.07);
   };
+  const auto byLength = [](vtkVoxelLineMapper* mapper, vtkPolyData*)
+  {
+    mapper->SetRadius(0.07);
+    mapper->OpacityByPathLengthOn();
+  };
+  const auto interactive = [](vtkVoxelLineMapper* mapper, vtkPolyData*)
+  { mapper->SetQualityToInteractive(); };
   return { { "scalars", scalars }, { "one colour", uniform }, { "direct colours", direct },
     { "NaN", nan }, { "radii", radii }, { "clipped", clipped }, { "256 bins", fine },
-    { "exact points", exact }, { "tubes of several voxels", wide } };
+    { "exact points", exact }, { "tubes of several voxels", wide },
+    { "opacity by path length", byLength }, { "opaque, interactive", interactive },
+    { "interactive", interactive } };
 }
 
 // Lines and a sphere, three lights.

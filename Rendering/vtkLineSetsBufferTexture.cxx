@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLineSetsBufferTexture.h"
+
+#define LINESETS_USE_OPENGL
+#include "vtkLineSetsCompatibilityPrivate.h"
+
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+//------------------------------------------------------------------------------
+vtkLineSetsBufferTexture::vtkLineSetsBufferTexture() = default;
+
+//------------------------------------------------------------------------------
+vtkLineSetsBufferTexture::~vtkLineSetsBufferTexture() = default;
+
+//------------------------------------------------------------------------------
+bool vtkLineSetsBufferTexture::ForgetGLErrors()
+{
+  // A context without a window reports errors without end, hence the limit.
+  int errors = 0;
+  while (errors < 16 && glGetError() != GL_NO_ERROR)
+  {
+    ++errors;
+  }
+  return errors < 16;
+}
+
+//------------------------------------------------------------------------------
+bool vtkLineSetsBufferTexture::Upload(vtkOpenGLRenderWindow* window, const void* data,
+  std::size_t texels, std::size_t componentSize, unsigned int format, int components, int vtkType)
+{
+  this->Bytes = texels * components * componentSize;
+  if (!ForgetGLErrors() ||
+    !this->Buffer->Upload(
+      static_cast<const unsigned char*>(data), this->Bytes, vtkOpenGLBufferObject::TextureBuffer) ||
+    glGetError() != GL_NO_ERROR)
+  {
+    return false;
+  }
+  this->Texture->SetContext(window);
+  this->Texture->SetInternalFormat(format);
+  return this->Texture->CreateTextureBuffer(
+    static_cast<unsigned int>(texels), components, vtkType, this->Buffer);
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsBufferTexture::Activate(vtkShaderProgram* program, const char* name)
+{
+  if (program->IsUniformUsed(name))
+  {
+    this->Texture->Activate();
+    program->SetUniformi(name, this->Texture->GetTextureUnit());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsBufferTexture::Deactivate()
+{
+  this->Texture->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+bool vtkLineSetsBufferTexture::IsGone() const
+{
+  return this->Bytes > 0 && this->Texture->GetHandle() == 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsBufferTexture::Release(vtkWindow* window)
+{
+  this->Texture->ReleaseGraphicsResources(window);
+  this->Buffer->ReleaseGraphicsResources();
+  this->Bytes = 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsBufferTexture::Forget()
+{
+  this->Buffer->Register(nullptr);
+  this->Bytes = 0;
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLineSetsBufferTexture
+ * @brief   a buffer on the graphics device and the texture through which a shader reads it
+ *
+ * The context of the window must be current when it is uploaded to and when it is released.
+ */
+
+#ifndef vtkLineSetsBufferTexture_h
+#define vtkLineSetsBufferTexture_h
+
+#include "vtkNew.h"
+
+#include <cstddef>
+
+class vtkOpenGLBufferObject;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkLineSetsBufferTexture
+{
+public:
+  vtkLineSetsBufferTexture();
+  ~vtkLineSetsBufferTexture();
+
+  /**
+   * Upload a number of texels, each of some components of a type (VTK_FLOAT and so on) and
+   * size in bytes, with an internal format of OpenGL. Returns whether there was memory for them.
+   */
+  bool Upload(vtkOpenGLRenderWindow* window, const void* data, std::size_t texels,
+    std::size_t componentSize, unsigned int format, int components, int vtkType);
+
+  /// Bind it to a texture unit, if the program reads a sampler of that name: the compiler may have
+  /// removed it.
+  void Activate(vtkShaderProgram* program, const char* name);
+  void Deactivate();
+
+  /// Whether its texture has gone with its context, after it was uploaded.
+  bool IsGone() const;
+
+  void Release(vtkWindow* window);
+
+  /// Leave the buffer behind without an owner: it went with its context, and must not be deleted by
+  /// number in another one, which its destructor would do.
+  void Forget();
+
+  /// Clear OpenGL's errors before a call that is to be checked: those of others are theirs to
+  /// report. Returns false where they do not end.
+  static bool ForgetGLErrors();
+
+  /// Bytes on the graphics device.
+  std::size_t GetNumberOfBytes() const { return this->Bytes; }
+
+private:
+  vtkLineSetsBufferTexture(const vtkLineSetsBufferTexture&) = delete;
+  void operator=(const vtkLineSetsBufferTexture&) = delete;
+
+  vtkNew<vtkOpenGLBufferObject> Buffer;
+  vtkNew<vtkTextureObject> Texture;
+  std::size_t Bytes = 0;
+};
+
+#endif
