@@ -9,7 +9,8 @@ namespace
 // What the light model's shader source asks for.
 constexpr const char* Declarations = "#define Real float\n"
                                      "#define LS_OUT(T) out T\n"
-                                     "#define LS_INOUT(T) inout T\n";
+                                     "#define LS_INOUT(T) inout T\n"
+                                     "float lightVisibility(int i) { return 1.0; }\n";
 
 // VTK's shaders discard what is wholly transparent, which keeps depth tests from coming first, even
 // where nothing is transparent.

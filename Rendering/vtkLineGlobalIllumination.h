@@ -136,8 +136,9 @@ public:
 
   ///@{
   /**
-   * Exponent s of ambient occlusion: light is multiplied by (1 - occlusion)^s, 0 to 10. Default 1.
-   * A value out of range is an error.
+   * Exponent s of ambient occlusion, 0 to 10: light is multiplied by (1 - o)^s with the occlusion o
+   * of a hemisphere, and by min(1, 2 (1 - o))^s with that of the sphere, of which a surface hides
+   * half by itself. Default 1. A value out of range is an error.
    */
   virtual void SetOcclusionStrength(double strength);
   vtkGetMacro(OcclusionStrength, double);

@@ -47,6 +47,7 @@ vtkLineSetsLight MakeLight(vtkLight* light, vtkTransform* view, vtkTransform* us
   result.CosConeAngle =
     static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(light->GetConeAngle())));
   result.Exponent = static_cast<float>(light->GetExponent());
+  result.CastsShadow = !light->LightTypeIsHeadlight();
   return result;
 }
 }
@@ -57,7 +58,7 @@ bool vtkLineSetsLight::operator==(const vtkLineSetsLight& other) const
   return this->Kind == other.Kind && this->Direction == other.Direction &&
     this->Position == other.Position && this->Color == other.Color &&
     this->Attenuation == other.Attenuation && this->CosConeAngle == other.CosConeAngle &&
-    this->Exponent == other.Exponent;
+    this->Exponent == other.Exponent && this->CastsShadow == other.CastsShadow;
 }
 
 //------------------------------------------------------------------------------

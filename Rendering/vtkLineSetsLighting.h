@@ -39,6 +39,8 @@ struct vtkLineSetsLight
   /// Cosine of the cone angle and exponent of a spot light (kind 2).
   float CosConeAngle = 0.0f;
   float Exponent = 1.0f;
+  /// Whether shadows of this light can be seen: not those of a headlight, which is at the camera.
+  bool CastsShadow = false;
 
   bool operator==(const vtkLineSetsLight& other) const;
 };

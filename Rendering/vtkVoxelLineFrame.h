@@ -24,6 +24,7 @@
 #define vtkVoxelLineFrame_h
 
 #include "vtkLineSetsLighting.h"
+#include "vtkVoxelLineGlobalLight.h"
 
 #include <glm/glm.hpp>
 
@@ -101,6 +102,9 @@ struct vtkVoxelLineFrame
 
   /// A ray ends where its opacity reaches this. Above 1: only behind opaque lines.
   float EarlyTermination = 0.99f;
+
+  /// Shadows and ambient occlusion.
+  vtkVoxelLineGlobalLight Global;
 
   /// Whether shading casts rays through the tubes; and whether it casts them through the model of a
   /// level, which is then given to the engine: the one that vtkVoxelLineLevel makes at ShadowLevel.

@@ -408,7 +408,7 @@ bool vtkVoxelLineFrameBuilder::IsSamePicture(const vtkVoxelLineFrame& a, const v
     a.LitAsLines == b.LitAsLines && a.NarrowTubes == b.NarrowTubes && a.ThinTubes == b.ThinTubes &&
     a.LargestRadius == b.LargestRadius && a.EarlyTermination == b.EarlyTermination &&
     a.OpacityByPathLength == b.OpacityByPathLength && a.Interactive == b.Interactive &&
-    a.SecondaryRays == b.SecondaryRays && a.LevelRays == b.LevelRays &&
+    a.Global == b.Global && a.SecondaryRays == b.SecondaryRays && a.LevelRays == b.LevelRays &&
     a.ShadowLevel == b.ShadowLevel && a.Picking == b.Picking;
 }
 

@@ -3,11 +3,14 @@
 #include "vtkVoxelLineNativeEngine.h"
 
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkLineIllumination.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVoxelLineCandidates.h"
+#include "vtkVoxelLineDensities.h"
 #include "vtkVoxelLineModel.h"
+#include "vtkVoxelLineOcclusion.h"
 
 #include <glm/glm.hpp>
 
@@ -162,10 +165,31 @@ struct RayCaster
     , PowerMeans(settings.Light.Table.get())
     , TabulatedMeans(settings.Light.Table != nullptr)
     , LightCount(static_cast<int>(settings.Light.Lights.size()))
+    , Shadows(settings.Global.Shadows)
+    , Occlusion(settings.Global.Occlusion)
+    , LocalLights(settings.Global.Lights.data())
+    , ConeSpread(settings.Global.ConeSpread)
+    , ConeStart(settings.Global.ConeStart)
+    , OcclusionRadius(settings.Global.OcclusionRadius)
+    , OcclusionSamples(settings.Global.OcclusionSamples)
+    , OcclusionStrength(settings.Global.OcclusionStrength)
+    , Extinction(settings.Global.Extinction)
     , SecondaryRays(settings.SecondaryRays || settings.LevelRays)
     , LevelRays(settings.LevelRays && levelSource && levelSource->GetNumberOfSegments() > 0)
     , LevelScale(std::ldexp(1.0f, -settings.ShadowLevel))
   {
+    if (vtkVoxelLineDensities* densities = settings.Global.Densities)
+    {
+      this->DensityLevels = densities->GetNumberOfLevels();
+      for (int level = 0; level < this->DensityLevels; ++level)
+      {
+        this->DensityValues.push_back(densities->GetValues(level)->GetPointer(0));
+      }
+    }
+    if (settings.Global.SphericalOcclusion)
+    {
+      this->OcclusionValues = settings.Global.SphericalOcclusion->GetValues().data();
+    }
     if (this->LevelRays)
     {
       this->OtherModel = ViewModel(levelSource);
@@ -228,6 +252,8 @@ struct RayCaster
     return vec4(c[0], c[1], c[2], c[3]) * (1.0f / 255.0f);
   }
   Real fetchRadius(uint i) const { return this->Model.Radii[i] * (1.0f / 255.0f); }
+  Real fetchDensity(int level, int i) const { return this->DensityValues[level][i]; }
+  Real fetchOcclusion(int i) const { return this->OcclusionValues[i] * (1.0f / 255.0f); }
   Real fetchPowerMean(Real x, Real row) const { return this->PowerMeans->Interpolate(x, row); }
   vec4 fetchTable(int i) const { return this->Frame.ColorTable[i]; }
   static int countBits(uint word)
@@ -407,6 +433,18 @@ struct RayCaster
   std::vector<vec3> LightColor;
   std::vector<vec3> LightAttenuation;
   std::vector<vec2> LightSpot;
+  int Shadows;
+  int Occlusion;
+  const vec4* LocalLights;
+  Real ConeSpread;
+  Real ConeStart;
+  Real OcclusionRadius;
+  int OcclusionSamples;
+  Real OcclusionStrength;
+  Real Extinction;
+  int DensityLevels = 0;
+  std::vector<const float*> DensityValues;
+  const std::uint8_t* OcclusionValues = nullptr;
   bool SecondaryRays;
   bool LevelRays;
   Real LevelScale;
@@ -448,6 +486,10 @@ struct RayCaster
 #include "glsl/vtkVoxelLineSlabs.glsl"
 
 #include "glsl/vtkVoxelLineOcclusionRay.glsl"
+
+#include "glsl/vtkVoxelLineDensity.glsl"
+
+#include "glsl/vtkVoxelLineShadow.glsl"
 
 #include "glsl/vtkVoxelLineShading.glsl"
 

@@ -197,6 +197,7 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
   {
     return error;
   }
+  this->UpdateLight(scene, wanted.Frame, warnings);
   this->QualityInUse = wanted.Frame.Interactive ? vtkVoxelLineMapper::InteractiveQuality
                                                 : vtkVoxelLineMapper::StillQuality;
   if (!this->Last.IsSame(wanted))
@@ -214,6 +215,24 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
     this->Last = std::move(wanted);
   }
   return this->Layer.Draw(window, scene.Mapper, actor, viewport[0], viewport[1]);
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLinePainter::UpdateLight(
+  const Scene& scene, vtkVoxelLineFrame& frame, Warnings& warnings)
+{
+  vtkVoxelLineMapper* mapper = scene.Mapper;
+  const std::string problem =
+    this->LightFields.Update(frame, scene.Model, mapper->GetGlobalIllumination(),
+      [mapper](double done)
+      {
+        mapper->UpdateProgress(done);
+        return mapper->GetAbortExecute() == 0;
+      });
+  if (!problem.empty())
+  {
+    warnings[Scene::NoGlobalLight] = problem;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -364,8 +383,8 @@ std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkOpenGLRender
       this->TimerWindow = window;
     }
     this->Timer.ReusableStart();
-    const bool done = this->ShaderEngine.Render(
-      window, scene.Model, frame, scene.IsOpaque(frame) ? nullptr : this->SceneTexture);
+    const bool done = this->ShaderEngine.Render(window, scene.Model, frame,
+      scene.IsOpaque(frame) ? nullptr : this->SceneTexture, this->LightFields.GetLevelModel());
     this->Timer.ReusableStop();
     if (!done)
     {
@@ -375,7 +394,8 @@ std::string vtkVoxelLinePainter::CastPicture(const Scene& scene, vtkOpenGLRender
   }
   else
   {
-    vtkVoxelLineNativeEngine::Render(scene.Model, frame, this->Picture);
+    vtkVoxelLineNativeEngine::Render(
+      scene.Model, frame, this->Picture, this->LightFields.GetLevelModel());
     overflows = this->Picture.NumberOfOverflows;
   }
   if (overflows > 0)

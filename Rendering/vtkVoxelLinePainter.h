@@ -27,6 +27,7 @@
 #include "vtkVoxelLineNativeEngine.h"
 #include "vtkVoxelLineScene.h"
 #include "vtkVoxelLineSelectionPainter.h"
+#include "vtkVoxelLineLightFields.h"
 #include "vtkVoxelLineShaderEngine.h"
 #include "vtkVoxelLineViews.h"
 
@@ -112,6 +113,7 @@ private:
     const vtkVoxelLineFrame& frame, Warnings& warnings);
   std::string ShowPicture(vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame,
     const vtkVoxelLinePicture& picture);
+  void UpdateLight(const Scene& scene, vtkVoxelLineFrame& frame, Warnings& warnings);
   bool CanAdd(const Scene& scene, const vtkVoxelLinePictureKey& wanted) const;
   bool LeaveToTranslucentPass(
     const Scene& scene, vtkActor* actor, const vtkVoxelLinePictureKey& wanted);
@@ -123,6 +125,7 @@ private:
   vtkLineSetsSceneDepth SceneDepth;
   vtkLineSetsFrameCounter Frames;
   vtkVoxelLineViews Views;
+  vtkVoxelLineLightFields LightFields;
   vtkVoxelLineShaderEngine ShaderEngine;
   vtkOpenGLRenderTimer Timer;
   vtkWeakPointer<vtkOpenGLRenderWindow> TimerWindow;

@@ -49,7 +49,8 @@ struct vtkVoxelLineScene
     HugeRadius,        ///< the radius is far larger than all lines together
     NoPoints,          ///< points were to be selected in a model
     HugePixels,        ///< pixels are so large that rays miss tubes
-    BadPower           ///< the exponent of the property is not a number
+    BadPower,          ///< the exponent of the property is not a number
+    NoGlobalLight      ///< shadows or occlusion are left out
   };
   using Warnings = std::map<WarningKind, std::string>;
 

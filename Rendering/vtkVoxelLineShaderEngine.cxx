@@ -15,6 +15,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkVoxelLineFieldBuffers.h"
 #include "vtkVoxelLineModel.h"
 #include "vtkVoxelLineModelBuffers.h"
 #include "vtkVoxelLineShaderUniforms.h"
@@ -22,6 +23,7 @@
 
 #include "vtkVoxelLineCapsule.h"
 #include "vtkVoxelLineCount.h"
+#include "vtkVoxelLineDensity.h"
 #include "vtkVoxelLineFetch.h"
 #include "vtkVoxelLineFragment.h"
 #include "vtkVoxelLineHits.h"
@@ -33,6 +35,7 @@
 #include "vtkVoxelLineRay.h"
 #include "vtkVoxelLineSegment.h"
 #include "vtkVoxelLineShading.h"
+#include "vtkVoxelLineShadow.h"
 #include "vtkVoxelLineSlabs.h"
 #include "vtkVoxelLineTraversal.h"
 #include "vtkVoxelLineVertex.h"
@@ -68,6 +71,7 @@ struct vtkVoxelLineShaderEngine::Internals
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkVoxelLineModelBuffers Model{ "", true };
   vtkVoxelLineModelBuffers Level{ "Level", false };
+  vtkVoxelLineFieldBuffers Fields;
   vtkLineSetsBufferTexture ColorTable;
   vtkLineSetsLightingUniforms Lighting;
   vtkNew<vtkTextureObject> Color;
@@ -96,6 +100,7 @@ struct vtkVoxelLineShaderEngine::Internals
   bool Check(vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame);
   bool UploadModels(
     vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model, vtkVoxelLineModel* level);
+  bool UploadFields(vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame);
   bool UploadTable(vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame);
   bool PrepareTargets(vtkOpenGLRenderWindow* window, int width, int height);
   bool BindTargets(vtkOpenGLRenderWindow* window);
@@ -119,7 +124,7 @@ void vtkVoxelLineShaderEngine::Internals::ReleaseTargets(vtkWindow* window)
 bool vtkVoxelLineShaderEngine::Internals::IsContextGone() const
 {
   // A window releases textures by itself before its context goes, but not buffers.
-  return !this->Window || this->Model.IsGone();
+  return !this->Window || this->Model.IsGone() || this->Fields.IsGone();
 }
 
 void vtkVoxelLineShaderEngine::Internals::Forget()
@@ -128,6 +133,7 @@ void vtkVoxelLineShaderEngine::Internals::Forget()
   // would do at their end: these few small objects are left behind without an owner.
   this->Model.Forget();
   this->Level.Forget();
+  this->Fields.Forget();
   this->ColorTable.Forget();
   static_cast<void>(this->Quad.release());
   static_cast<void>(this->CountQuad.release());
@@ -149,6 +155,7 @@ void vtkVoxelLineShaderEngine::Internals::Release()
     window->PushContext();
     this->Model.Release(window);
     this->Level.Release(window);
+    this->Fields.Release(window);
     this->ColorTable.Release(window);
     this->Quad.reset();
     this->CountQuad.reset();
@@ -211,6 +218,12 @@ bool vtkVoxelLineShaderEngine::Internals::UploadModels(
     return true;
   }
   return this->Level.Upload(window, level) || this->Fail(this->Level.GetError());
+}
+
+bool vtkVoxelLineShaderEngine::Internals::UploadFields(
+  vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame)
+{
+  return this->Fields.Upload(window, frame.Global) || this->Fail(this->Fields.GetError());
 }
 
 bool vtkVoxelLineShaderEngine::Internals::UploadTable(
@@ -284,8 +297,8 @@ bool vtkVoxelLineShaderEngine::Internals::PrepareQuad(vtkOpenGLRenderWindow* win
     std::string source = std::string("//VTK::System::Dec\n//VTK::Output::Dec\n") +
       vtkVoxelLineFetch + vtkVoxelLinePacking + vtkVoxelLineCapsule + vtkVoxelLineRay +
       vtkVoxelLineSegment + vtkVoxelLineOccluder + vtkVoxelLineHits + vtkVoxelLineSlabs +
-      vtkVoxelLineOcclusionRay + vtkVoxelLineShading + vtkVoxelLineLayers + vtkVoxelLineTraversal +
-      vtkVoxelLinePixel + vtkVoxelLineFragment;
+      vtkVoxelLineOcclusionRay + vtkVoxelLineDensity + vtkVoxelLineShadow + vtkVoxelLineShading +
+      vtkVoxelLineLayers + vtkVoxelLineTraversal + vtkVoxelLinePixel + vtkVoxelLineFragment;
     vtkShaderProgram::Substitute(source, "//LineSets::Constants", kind);
     this->Quad.reset();
     if (!window->GetShaderCache()->ReadyShaderProgram(vtkVoxelLineVertex, source.c_str(), ""))
@@ -309,6 +322,7 @@ void vtkVoxelLineShaderEngine::Internals::ActivateBuffers(bool hasLevel)
   {
     this->Level.Activate(program);
   }
+  this->Fields.Activate(program);
   this->ColorTable.Activate(program, "ColorTable");
 }
 
@@ -316,6 +330,7 @@ void vtkVoxelLineShaderEngine::Internals::DeactivateBuffers()
 {
   this->Model.Deactivate();
   this->Level.Deactivate();
+  this->Fields.Deactivate();
   this->ColorTable.Deactivate();
 }
 
@@ -388,7 +403,8 @@ bool vtkVoxelLineShaderEngine::Render(vtkOpenGLRenderWindow* window, vtkVoxelLin
   vtkVoxelLineModel* level =
     frame.LevelRays && levelModel && levelModel->GetNumberOfSegments() > 0 ? levelModel : nullptr;
   if (!data.Check(window, frame) || !data.UploadModels(window, model, level) ||
-    !data.UploadTable(window, frame) || !data.PrepareTargets(window, frame.Width, frame.Height))
+    !data.UploadFields(window, frame) || !data.UploadTable(window, frame) ||
+    !data.PrepareTargets(window, frame.Width, frame.Height))
   {
     return false;
   }
@@ -472,6 +488,7 @@ vtkIdType vtkVoxelLineShaderEngine::GetNumberOfBytes() const
   // The picture has 4 bytes of colour and 8 of depth per pixel.
   const vtkIdType bytes = static_cast<vtkIdType>(12) * this->Data->Size[0] * this->Data->Size[1];
   return bytes + this->Data->Model.GetNumberOfBytes() + this->Data->Level.GetNumberOfBytes() +
+    this->Data->Fields.GetNumberOfBytes() +
     static_cast<vtkIdType>(this->Data->ColorTable.GetNumberOfBytes());
 }
 

@@ -4,6 +4,7 @@
 
 #include "vtkLineSetsLightingUniforms.h"
 #include "vtkShaderProgram.h"
+#include "vtkVoxelLineDensities.h"
 #include "vtkVoxelLineFrame.h"
 #include "vtkVoxelLineModel.h"
 
@@ -40,9 +41,13 @@ std::string vtkVoxelLineShaderUniforms::MakeConstants(
   constant("bool", "NarrowTubes", frame.NarrowTubes ? 1 : 0);
   constant("bool", "LitAsLines", frame.LitAsLines ? 1 : 0);
   constant("bool", "HasScene", hasScene ? 1 : 0);
+  constant("int", "Shadows", frame.Global.Shadows);
+  constant("int", "Occlusion", frame.Global.Occlusion);
+  constant("int", "DensityLevels",
+    frame.Global.Densities ? frame.Global.Densities->GetNumberOfLevels() : 0);
   constant("bool", "SecondaryRays", frame.SecondaryRays || frame.LevelRays ? 1 : 0);
   constant("bool", "LevelRays", hasLevel ? 1 : 0);
-  os << vtkLineSetsLightingUniforms::GetSource(frame.Light);
+  os << "float lightVisibility(int i);\n" << vtkLineSetsLightingUniforms::GetSource(frame.Light);
   return os.str();
 }
 
@@ -104,6 +109,22 @@ void vtkVoxelLineShaderUniforms::Set(vtkShaderProgram* program, vtkVoxelLineMode
   set1("SpecularPower", frame.Light.SpecularPower);
   set1("Opacity", frame.Opacity);
   set1("EarlyTermination", frame.EarlyTermination);
+  const vtkVoxelLineGlobalLight& global = frame.Global;
+  if (!global.Lights.empty() && program->IsUniformUsed("LocalLights"))
+  {
+    program->SetUniform4fv("LocalLights",
+      std::min(static_cast<int>(global.Lights.size()), vtkLineSetsLightingUniforms::MaximumLights),
+      &global.Lights[0][0]);
+  }
+  set1("ConeSpread", global.ConeSpread);
+  set1("ConeStart", global.ConeStart);
+  set1("OcclusionRadius", global.OcclusionRadius);
+  set1("OcclusionStrength", global.OcclusionStrength);
+  set1("Extinction", global.Extinction);
+  if (program->IsUniformUsed("OcclusionSamples"))
+  {
+    program->SetUniformi("OcclusionSamples", global.OcclusionSamples);
+  }
   glm::mat4 view = frame.ViewFromLocal;
   glm::mat3 normal = frame.NormalFromLocal;
   if (program->IsUniformUsed("ViewFromLocal"))

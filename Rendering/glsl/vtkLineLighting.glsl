@@ -6,7 +6,8 @@
 //
 // The engine supplies: LightCount; LightKind[], LightDirection[], LightPosition[], LightColor[],
 // LightAttenuation[], LightSpot[] (cosine of the cone angle, exponent), as vtkLineSetsLighting
-// tells; ParallelView, bool; and what vtkLineReflection.glsl asks for.
+// tells; ParallelView, bool; Real lightVisibility(int i), what part of light i reaches the point, 1
+// where there are no shadows; and what vtkLineReflection.glsl asks for.
 
 // Unit direction from a point to the viewer, in view coordinates.
 vec3 viewerDirection(vec3 position)
@@ -50,6 +51,7 @@ vec3 lightSurface(vec3 position, vec3 normal, vec3 ambient, vec3 diffuse, vec3 s
     Real facing = -dot(normal, direction);
     if (facing > Real(0) && arrival > Real(0))
     {
+      arrival *= lightVisibility(i);
       diffuseSum += LightColor[i] * (arrival * facing);
       if (!shines)
       {
@@ -84,6 +86,7 @@ void lineLight(vec3 position, vec3 tangent, bool shines, Real power, LS_OUT(vec3
   {
     vec3 direction;
     Real arrival = lightArrival(i, position, direction);
+    arrival *= arrival > Real(0) ? lightVisibility(i) : Real(0);
     vec2 response = lineResponse(tangent, viewer, -direction,
       LightKind[i] == 3 && !HalfwayReflection, shines, power);
     diffuse += LightColor[i] * (arrival * response.x);

@@ -56,11 +56,10 @@ Real mixDensities(int level, int first, int strideY, int strideZ, vec3 part)
   return mix(mix(d00, d10, part.y), mix(d01, d11, part.y), part.z);
 }
 
-// Density at a position, interpolated trilinearly between the centres of a level's voxels.
-Real densityAt(vec3 position, int level, Real edge)
+// Density between the centres of a level's voxels, interpolated trilinearly; x in voxels of the level.
+Real densityAt(vec3 x, int level, ivec3 size)
 {
-  ivec3 size = levelSize(level);
-  vec3 x = position / edge - vec3(Real(0.5));
+  x -= vec3(Real(0.5));
   vec3 low = floor(x);
   vec3 part = x - low;
   ivec3 voxel = ivec3(low);
@@ -98,7 +97,7 @@ Real emptyReach(vec3 position)
   return Real(4 * max(-brickGridAt(voxel) - 1, 0));
 }
 
-// Where a ray leaves the grid, grown by half a voxel of the level 1, which is as far as densities reach.
+// Where a ray leaves the grid, grown by a voxel.
 Real gridExit(vec3 origin, vec3 direction)
 {
   Real leave = Beyond;
@@ -113,8 +112,9 @@ Real gridExit(vec3 origin, vec3 direction)
   return leave;
 }
 
-// Optical depth of the lines from start to end of a cone that is spread times its length wide. Each
-// step is as long as a voxel of the level whose voxels are about as wide as the cone is there.
+// Optical depth of the lines from start to end of a cone. It is a voxel wide, and spread times its
+// length. Each step is as long as a voxel of the level whose voxels are about as wide as the cone is
+// there.
 Real coneDepth(vec3 origin, vec3 direction, Real start, Real end, Real spread)
 {
   Real limit = DarkDepth / max(Extinction, Real(1e-20));
@@ -122,24 +122,34 @@ Real coneDepth(vec3 origin, vec3 direction, Real start, Real end, Real spread)
   Real depth = Real(0);
   Real t = start;
   int level = 0;
+  ivec3 size = GridDimensions;
   Real edge = Real(1);
+  Real perEdge = Real(1);
+  bool mayBeEmpty = true;
   while (t < last && depth < limit)
   {
-    while (level + 1 < DensityLevels && spread * t >= Real(2) * edge)
+    while (level + 1 < DensityLevels && Real(1) + spread * t >= Real(1.5) * edge)
     {
       level = level + 1;
+      size = levelSize(level);
       edge = edge * Real(2);
+      perEdge = perEdge * Real(0.5);
     }
     Real way = min(edge, last - t);
     vec3 position = origin + direction * (t + Real(0.5) * way);
-    // Whole steps, so that all samples behind stay where they are.
-    Real skipped = floor(emptyReach(position) / edge - Real(1));
-    if (skipped >= Real(1))
+    if (mayBeEmpty)
     {
-      t += edge * skipped;
-      continue;
+      // Whole steps, so that all samples behind stay where they are.
+      Real skipped = floor(emptyReach(position) * perEdge - Real(1));
+      if (skipped >= Real(1))
+      {
+        t += edge * skipped;
+        continue;
+      }
     }
-    depth += densityAt(position, level, edge) * way;
+    Real density = densityAt(position * perEdge, level, size);
+    mayBeEmpty = density <= Real(0);
+    depth += density * way;
     t += way;
   }
   return depth * Extinction;

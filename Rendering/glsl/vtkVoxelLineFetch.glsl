@@ -50,6 +50,28 @@ uniform samplerBuffer Radii;
 uniform samplerBuffer ColorTable;
 uniform sampler2D SceneDepth;
 
+// Shadows and ambient occlusion.
+uniform vec4 LocalLights[MaximumLights];
+uniform float ConeSpread;
+uniform float ConeStart;
+uniform float OcclusionRadius;
+uniform int OcclusionSamples;
+uniform float OcclusionStrength;
+uniform float Extinction;
+uniform int DensityStarts[32];
+uniform samplerBuffer Densities;
+uniform samplerBuffer OcclusionOfVoxels;
+
+float fetchDensity(int level, int i)
+{
+  return texelFetch(Densities, DensityStarts[level] + i).r;
+}
+
+float fetchOcclusion(int i)
+{
+  return texelFetch(OcclusionOfVoxels, i).r;
+}
+
 // The model of a level.
 uniform vec3 LevelGridSize;
 uniform vec3 LevelBrickGridSize;

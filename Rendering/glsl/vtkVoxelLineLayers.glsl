@@ -128,8 +128,13 @@ void blendLayer(Real seen, bool fromInside, Real way, uint segment, int brick, i
   {
     vec3 normal = tubeNormal(x, a, b, ra, rb);
     vec3 position = vec3(ViewFromLocal * vec4(x + vec3(voxel), Real(1)));
-    shade = lightTube(
-      position, fromInside ? -normal : normal, b - a, surfacePart(radius, t), ambient, diffuse);
+    normal = fromInside ? -normal : normal;
+    // Of a tube that is drawn wider than it is, light and shadow are those at its axis.
+    ShadedAxis = vec3(voxel) + a + (b - a) * parameter;
+    ShadedPoint = drawnRadius > radius ? ShadedAxis : x + vec3(voxel);
+    ShadedNormal = normal;
+    shade = lightTube(position, normal, b - a, surfacePart(radius, t), ambient, diffuse);
+    shade = clamp(shade, Real(0), Real(1)) * ambientVisibility();
   }
   shade = clamp(shade, Real(0), Real(1));
   if (OpacityByPathLength && !fromInside)

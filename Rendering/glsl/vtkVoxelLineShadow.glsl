@@ -31,11 +31,28 @@ Real lightVisibility(int i)
   Real distance = Beyond;
   if (light.w > Real(0))
   {
-    way = way - ShadedAxis;
+    way = way - (Shadows == 1 ? ShadedPoint : ShadedAxis);
     distance = length(way);
     way = way / max(distance, Real(1e-6));
   }
+  if (Shadows == 1)
+  {
+    return transmittance(ShadedPoint, way, distance);
+  }
+  if (Shadows == 2)
+  {
+    return levelTransmittance(ShadedAxis, way, distance);
+  }
   return exp(-coneDepth(ShadedAxis, way, ConeStart, distance, ConeSpread));
+}
+
+Real mixOcclusions(int first, vec3 part)
+{
+  Real o00 = mix(fetchOcclusion(first), fetchOcclusion(first + 1), part.x);
+  Real o10 = mix(fetchOcclusion(first + 4), fetchOcclusion(first + 5), part.x);
+  Real o01 = mix(fetchOcclusion(first + 16), fetchOcclusion(first + 17), part.x);
+  Real o11 = mix(fetchOcclusion(first + 20), fetchOcclusion(first + 21), part.x);
+  return mix(mix(o00, o10, part.y), mix(o01, o11, part.y), part.z);
 }
 
 // Occlusion of what surrounds a position, interpolated between the voxels of bricks that hold lines.
@@ -45,20 +62,37 @@ Real sphericalOcclusion(vec3 position)
   vec3 low = floor(x);
   vec3 part = x - low;
   ivec3 voxel = ivec3(low);
+  ivec3 last = GridDimensions - ivec3(1);
+  if (min(min(voxel.x, voxel.y), voxel.z) >= 0 && max(max(voxel.x & 3, voxel.y & 3), voxel.z & 3) < 3 &&
+    voxel.x <= last.x && voxel.y <= last.y && voxel.z <= last.z)
+  {
+    int brick = brickGridAt(voxel);
+    return brick < 0 ? Real(0) : mixOcclusions(64 * brick + voxelInBrick(voxel), part);
+  }
+  // Both sides' share of the brick's cell and of the place in the brick, axis by axis.
+  ivec3 low3 = clamp(voxel, ivec3(0), last);
+  ivec3 high3 = clamp(voxel + ivec3(1), ivec3(0), last);
+  ivec3 strides = ivec3(1, BrickDimensions.x, BrickDimensions.x * BrickDimensions.y);
+  ivec3 lowCell = (low3 >> 2) * strides;
+  ivec3 highCell = (high3 >> 2) * strides;
+  ivec3 lowPlace = (low3 & 3) * ivec3(1, 4, 16);
+  ivec3 highPlace = (high3 & 3) * ivec3(1, 4, 16);
   Real sum = Real(0);
   Real weights = Real(0);
-  for (int corner = 0; corner < 8; ++corner)
+  for (int corner = 0; corner < 4; ++corner)
   {
-    ivec3 side = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
-    ivec3 at = clamp(voxel + side, ivec3(0), GridDimensions - ivec3(1));
-    int brick = brickGridAt(at);
-    if (brick >= 0)
-    {
-      vec3 near = mix(vec3(Real(1)) - part, part, vec3(side));
-      Real weight = near.x * near.y * near.z;
-      weights += weight;
-      sum += weight * fetchOcclusion(64 * brick + voxelInBrick(at));
-    }
+    bool highY = (corner & 1) != 0;
+    bool highZ = (corner & 2) != 0;
+    int cell = (highY ? highCell.y : lowCell.y) + (highZ ? highCell.z : lowCell.z);
+    int place = (highY ? highPlace.y : lowPlace.y) + (highZ ? highPlace.z : lowPlace.z);
+    Real weight = (highY ? part.y : Real(1) - part.y) * (highZ ? part.z : Real(1) - part.z);
+    int brick = fetchBrickGrid(cell + lowCell.x);
+    Real lowWeight = brick >= 0 ? weight * (Real(1) - part.x) : Real(0);
+    sum += lowWeight * fetchOcclusion(64 * max(brick, 0) + place + lowPlace.x);
+    brick = fetchBrickGrid(cell + highCell.x);
+    Real highWeight = brick >= 0 ? weight * part.x : Real(0);
+    sum += highWeight * fetchOcclusion(64 * max(brick, 0) + place + highPlace.x);
+    weights += lowWeight + highWeight;
   }
   return weights > Real(0) ? sum / weights : Real(0);
 }
@@ -82,7 +116,9 @@ Real hemisphereOcclusion()
   for (int i = 0; i < OcclusionSamples; ++i)
   {
     vec3 direction = hemisphereDirection(i, ShadedNormal);
-    sum += Real(1) - exp(-coneDepth(ShadedPoint, direction, Real(0.5), OcclusionRadius, Real(0)));
+    sum += Real(1) - (Occlusion == 3
+      ? transmittance(ShadedPoint, direction, OcclusionRadius)
+      : exp(-coneDepth(ShadedPoint, direction, Real(0.5), OcclusionRadius, Real(0))));
   }
   return sum / Real(OcclusionSamples);
 }
@@ -94,6 +130,8 @@ Real ambientVisibility()
   {
     return Real(1);
   }
-  Real occlusion = Occlusion == 1 ? sphericalOcclusion(ShadedAxis) : hemisphereOcclusion();
-  return pow(max(Real(1) - occlusion, Real(0)), OcclusionStrength);
+  // A surface hides half of the sphere by itself.
+  Real visible = Occlusion == 1 ? min(Real(2) - Real(2) * sphericalOcclusion(ShadedAxis), Real(1))
+                                : Real(1) - hemisphereOcclusion();
+  return OcclusionStrength == Real(1) ? visible : pow(max(visible, Real(0)), OcclusionStrength);
 }

@@ -53,6 +53,9 @@ struct Functions
 
 #include "glsl/vtkLineReflection.glsl"
 
+  // No shadows.
+  static Real lightVisibility(int) { return Real(1); }
+
 #include "glsl/vtkLineLighting.glsl"
 };
 

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVoxelLineLightFields.h"
+
+#include "vtkLineGlobalIllumination.h"
+#include "vtkMath.h"
+#include "vtkTimerLog.h"
+#include "vtkVoxelLineDensities.h"
+#include "vtkVoxelLineLevel.h"
+#include "vtkVoxelLineLevelsPrivate.h"
+#include "vtkVoxelLineModel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+// Cones of soft shadows begin so far outside the tube, in voxels: densities reach about as far from
+// the line itself. The measurement is in docs/design.md.
+constexpr float ConeMargin = 0.75f;
+
+// Mean of the sine of the angle between a ray and a line of any direction: what part of a line's
+// length counts from the side.
+constexpr double MeanSine = 0.25 * 3.14159265358979323846;
+
+using Illumination = vtkLineGlobalIllumination;
+
+/// The lights as seen from the grid. Returns whether any of them casts shadows.
+bool SetLights(vtkVoxelLineFrame& frame)
+{
+  const glm::dmat4 localFromView = glm::inverse(glm::dmat4(frame.ViewFromLocal));
+  bool any = false;
+  frame.Global.Lights.clear();
+  for (const vtkLineSetsLight& light : frame.Light.Lights)
+  {
+    glm::dvec4 local(0.0, 0.0, 0.0, -1.0);
+    if (light.CastsShadow && (light.Kind == 1 || light.Kind == 2))
+    {
+      const glm::dvec4 position = localFromView * glm::dvec4(glm::dvec3(light.Position), 1.0);
+      local = glm::dvec4(glm::dvec3(position), 1.0);
+    }
+    else if (light.CastsShadow)
+    {
+      const glm::dvec4 way = localFromView * glm::dvec4(-glm::dvec3(light.Direction), 0.0);
+      local = glm::dvec4(glm::normalize(glm::dvec3(way)), 0.0);
+    }
+    any = any || local.w >= 0.0;
+    frame.Global.Lights.emplace_back(local);
+  }
+  return any;
+}
+
+bool NeedsDensities(const vtkVoxelLineGlobalLight& global)
+{
+  return global.Shadows == Illumination::SoftShadows ||
+    global.Occlusion == Illumination::SphericalOcclusion ||
+    global.Occlusion == Illumination::HemisphereDensity;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkVoxelLineLightFields::vtkVoxelLineLightFields()
+  : Densities(vtkSmartPointer<vtkVoxelLineDensities>::New())
+  , Level(vtkSmartPointer<vtkVoxelLineLevel>::New())
+{
+  this->Densities->UseRadiiOn();
+}
+
+//------------------------------------------------------------------------------
+vtkVoxelLineLightFields::~vtkVoxelLineLightFields() = default;
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLineLightFields::Update(vtkVoxelLineFrame& frame, vtkVoxelLineModel* model,
+  vtkLineGlobalIllumination* illumination, const std::function<bool(double)>& progress)
+{
+  vtkVoxelLineGlobalLight& global = frame.Global;
+  global = vtkVoxelLineGlobalLight();
+  frame.SecondaryRays = false;
+  frame.LevelRays = false;
+  this->HasLevel = false;
+  if (!frame.Lighting)
+  {
+    return {};
+  }
+  std::string problem;
+  global.Shadows = illumination->GetShadows();
+  if (global.Shadows != Illumination::NoShadows && !SetLights(frame))
+  {
+    global.Shadows = Illumination::NoShadows;
+    problem = "Shadows are not seen: all lights that are switched on are headlights, which shine "
+              "from the camera. Add a vtkLight that is fixed in the scene.";
+  }
+  global.Occlusion = illumination->GetOcclusion();
+  global.OcclusionRadius = static_cast<float>(illumination->GetOcclusionRadius());
+  global.OcclusionSamples = illumination->GetOcclusionSamples();
+  global.OcclusionStrength = static_cast<float>(illumination->GetOcclusionStrength());
+  const double halfAngle = vtkMath::RadiansFromDegrees(0.5 * illumination->GetShadowConeAngle());
+  global.ConeSpread = static_cast<float>(2.0 * std::tan(halfAngle));
+  global.ConeStart = frame.Radius + ConeMargin;
+  global.Extinction = static_cast<float>(2.0 * MeanSine * static_cast<double>(frame.Radius));
+  frame.SecondaryRays = global.Shadows == Illumination::HardShadows ||
+    global.Occlusion == Illumination::HemisphereTubes;
+
+  const double start = vtkTimerLog::GetUniversalTime();
+  const vtkMTimeType before =
+    std::max({ this->Densities->GetBuildTime(), this->Occlusion.GetBuildTime(),
+      this->Level->GetOutput() ? this->Level->GetOutput()->GetMTime() : 0 });
+  if (global.Shadows == Illumination::LevelShadows &&
+    !this->UpdateLevel(frame, model, illumination->GetShadowLevel()))
+  {
+    global.Shadows = Illumination::NoShadows;
+    problem = "Shadows are left out: the representative lines of the level could not be made.";
+  }
+  if (NeedsDensities(global) && !this->UpdateDensities(frame, model))
+  {
+    global.Shadows =
+      global.Shadows == Illumination::SoftShadows ? Illumination::NoShadows : global.Shadows;
+    global.Occlusion = global.Occlusion == Illumination::HemisphereTubes
+      ? global.Occlusion
+      : Illumination::NoOcclusion;
+    problem = "Soft shadows and occlusion are left out: the densities could not be made.";
+  }
+  if (global.Occlusion == Illumination::SphericalOcclusion)
+  {
+    if (this->Occlusion.Build(model, this->Densities, illumination->GetOcclusionRadius(),
+          static_cast<double>(global.Extinction), progress))
+    {
+      global.SphericalOcclusion = &this->Occlusion;
+      global.SphericalOcclusionTime = this->Occlusion.GetBuildTime();
+    }
+    else
+    {
+      // It was aborted.
+      global.Occlusion = Illumination::NoOcclusion;
+    }
+  }
+  if (NeedsDensities(global))
+  {
+    global.Densities = this->Densities;
+    global.DensitiesTime = this->Densities->GetBuildTime();
+  }
+  const vtkMTimeType after =
+    std::max({ this->Densities->GetBuildTime(), this->Occlusion.GetBuildTime(),
+      this->Level->GetOutput() ? this->Level->GetOutput()->GetMTime() : 0 });
+  if (after != before)
+  {
+    this->BuildTime = vtkTimerLog::GetUniversalTime() - start;
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVoxelLineLightFields::UpdateDensities(
+  const vtkVoxelLineFrame& frame, vtkVoxelLineModel* model)
+{
+  this->Densities->SetOpacity(static_cast<double>(frame.Opacity));
+  this->Densities->SetUseColorOpacity(frame.Coloring == vtkVoxelLineFrame::Direct);
+  std::array<double, vtkVoxelLineDensities::TableSize> opacities;
+  std::transform(frame.ColorTable.begin(), frame.ColorTable.end(), opacities.begin(),
+    [](const glm::vec4& color) { return static_cast<double>(color.w); });
+  const bool isOpaque =
+    std::all_of(opacities.begin(), opacities.end(), [](double opacity) { return opacity >= 1.0; });
+  if (frame.Coloring == vtkVoxelLineFrame::Table && !isOpaque)
+  {
+    this->Densities->SetOpacityTable(opacities.data());
+  }
+  else
+  {
+    this->Densities->RemoveOpacityTable();
+  }
+  return this->Densities->Build(model);
+}
+
+//------------------------------------------------------------------------------
+bool vtkVoxelLineLightFields::UpdateLevel(
+  vtkVoxelLineFrame& frame, vtkVoxelLineModel* model, int level)
+{
+  const int coarsest = vtkVoxelLineLevels::CountLevels(model->GetDimensions()) - 1;
+  frame.ShadowLevel = std::min(level, coarsest);
+  this->Level->SetInputDataObject(model);
+  this->Level->SetLevel(frame.ShadowLevel);
+  this->Level->Update();
+  this->HasLevel = this->Level->GetOutput() && this->Level->GetOutput()->GetNumberOfSegments() > 0;
+  frame.LevelRays = this->HasLevel;
+  return this->HasLevel;
+}
+
+//------------------------------------------------------------------------------
+vtkVoxelLineModel* vtkVoxelLineLightFields::GetLevelModel() const
+{
+  return this->HasLevel ? this->Level->GetOutput() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkVoxelLineLightFields::GetNumberOfBytes() const
+{
+  vtkVoxelLineModel* level = this->Level->GetOutput();
+  return this->Densities->GetNumberOfBytes() +
+    static_cast<vtkIdType>(this->Occlusion.GetValues().size()) +
+    (level ? level->GetNumberOfBytes() : 0);
+}
