@@ -103,6 +103,12 @@ struct vtkVoxelLineFrame
   /// A ray ends where its opacity reaches this. Above 1: only behind opaque lines.
   float EarlyTermination = 0.99f;
 
+  /// The rest of a ray goes by densities where its opacity reaches this. Above 1: never.
+  float AccelerationOpacity = 2.0f;
+
+  /// Whether any ray may go by densities.
+  bool IsAccelerated() const { return this->AccelerationOpacity <= 1.0f && !this->IsOpaque(); }
+
   /// Shadows and ambient occlusion.
   vtkVoxelLineGlobalLight Global;
 

@@ -407,6 +407,7 @@ bool vtkVoxelLineFrameBuilder::IsSamePicture(const vtkVoxelLineFrame& a, const v
   return sameView && sameColors && sameMaterial && a.Light == b.Light && a.Radius == b.Radius &&
     a.LitAsLines == b.LitAsLines && a.NarrowTubes == b.NarrowTubes && a.ThinTubes == b.ThinTubes &&
     a.LargestRadius == b.LargestRadius && a.EarlyTermination == b.EarlyTermination &&
+    a.AccelerationOpacity == b.AccelerationOpacity &&
     a.OpacityByPathLength == b.OpacityByPathLength && a.Interactive == b.Interactive &&
     a.Global == b.Global && a.SecondaryRays == b.SecondaryRays && a.LevelRays == b.LevelRays &&
     a.ShadowLevel == b.ShadowLevel && a.Picking == b.Picking;

@@ -51,11 +51,53 @@ bool SetLights(vtkVoxelLineFrame& frame)
   return any;
 }
 
-bool NeedsDensities(const vtkVoxelLineGlobalLight& global)
+/// What follows from the parameters alone. Returns why shadows are left out.
+std::string SetParameters(vtkVoxelLineFrame& frame, Illumination* illumination)
 {
-  return global.Shadows == Illumination::SoftShadows ||
-    global.Occlusion == Illumination::SphericalOcclusion ||
-    global.Occlusion == Illumination::HemisphereDensity;
+  vtkVoxelLineGlobalLight& global = frame.Global;
+  std::string problem;
+  if (frame.Lighting)
+  {
+    global.Shadows = illumination->GetShadows();
+    global.Occlusion = illumination->GetOcclusion();
+  }
+  if (global.Shadows != Illumination::NoShadows && !SetLights(frame))
+  {
+    global.Shadows = Illumination::NoShadows;
+    problem = "Shadows are not seen: all lights that are switched on are headlights, which shine "
+              "from the camera. Add a vtkLight that is fixed in the scene.";
+  }
+  global.OcclusionRadius = static_cast<float>(illumination->GetOcclusionRadius());
+  global.OcclusionSamples = illumination->GetOcclusionSamples();
+  global.OcclusionStrength = static_cast<float>(illumination->GetOcclusionStrength());
+  const double halfAngle = vtkMath::RadiansFromDegrees(0.5 * illumination->GetShadowConeAngle());
+  global.ConeSpread = static_cast<float>(2.0 * std::tan(halfAngle));
+  global.ConeStart = frame.Radius + ConeMargin;
+  global.Extinction = static_cast<float>(2.0 * MeanSine * static_cast<double>(frame.Radius));
+  frame.SecondaryRays = global.Shadows == Illumination::HardShadows ||
+    global.Occlusion == Illumination::HemisphereTubes;
+  return problem;
+}
+
+bool NeedsDensities(const vtkVoxelLineFrame& frame)
+{
+  return frame.Global.Shadows == Illumination::SoftShadows ||
+    frame.Global.Occlusion == Illumination::SphericalOcclusion ||
+    frame.Global.Occlusion == Illumination::HemisphereDensity || frame.IsAccelerated();
+}
+
+/// Do without what needs densities.
+void LeaveDensitiesOut(vtkVoxelLineFrame& frame)
+{
+  vtkVoxelLineGlobalLight& global = frame.Global;
+  if (global.Shadows == Illumination::SoftShadows)
+  {
+    global.Shadows = Illumination::NoShadows;
+  }
+  if (global.Occlusion != Illumination::HemisphereTubes)
+  {
+    global.Occlusion = Illumination::NoOcclusion;
+  }
 }
 }
 
@@ -74,52 +116,34 @@ vtkVoxelLineLightFields::~vtkVoxelLineLightFields() = default;
 std::string vtkVoxelLineLightFields::Update(vtkVoxelLineFrame& frame, vtkVoxelLineModel* model,
   vtkLineGlobalIllumination* illumination, const std::function<bool(double)>& progress)
 {
-  vtkVoxelLineGlobalLight& global = frame.Global;
-  global = vtkVoxelLineGlobalLight();
+  frame.Global = vtkVoxelLineGlobalLight();
   frame.SecondaryRays = false;
   frame.LevelRays = false;
   this->HasLevel = false;
-  if (!frame.Lighting)
-  {
-    return {};
-  }
-  std::string problem;
-  global.Shadows = illumination->GetShadows();
-  if (global.Shadows != Illumination::NoShadows && !SetLights(frame))
-  {
-    global.Shadows = Illumination::NoShadows;
-    problem = "Shadows are not seen: all lights that are switched on are headlights, which shine "
-              "from the camera. Add a vtkLight that is fixed in the scene.";
-  }
-  global.Occlusion = illumination->GetOcclusion();
-  global.OcclusionRadius = static_cast<float>(illumination->GetOcclusionRadius());
-  global.OcclusionSamples = illumination->GetOcclusionSamples();
-  global.OcclusionStrength = static_cast<float>(illumination->GetOcclusionStrength());
-  const double halfAngle = vtkMath::RadiansFromDegrees(0.5 * illumination->GetShadowConeAngle());
-  global.ConeSpread = static_cast<float>(2.0 * std::tan(halfAngle));
-  global.ConeStart = frame.Radius + ConeMargin;
-  global.Extinction = static_cast<float>(2.0 * MeanSine * static_cast<double>(frame.Radius));
-  frame.SecondaryRays = global.Shadows == Illumination::HardShadows ||
-    global.Occlusion == Illumination::HemisphereTubes;
+  std::string problem = SetParameters(frame, illumination);
 
   const double start = vtkTimerLog::GetUniversalTime();
-  const vtkMTimeType before =
-    std::max({ this->Densities->GetBuildTime(), this->Occlusion.GetBuildTime(),
-      this->Level->GetOutput() ? this->Level->GetOutput()->GetMTime() : 0 });
+  const vtkMTimeType before = this->GetLatestTime();
+  vtkVoxelLineGlobalLight& global = frame.Global;
   if (global.Shadows == Illumination::LevelShadows &&
     !this->UpdateLevel(frame, model, illumination->GetShadowLevel()))
   {
     global.Shadows = Illumination::NoShadows;
     problem = "Shadows are left out: the representative lines of the level could not be made.";
   }
-  if (NeedsDensities(global) && !this->UpdateDensities(frame, model))
+  if (NeedsDensities(frame))
   {
-    global.Shadows =
-      global.Shadows == Illumination::SoftShadows ? Illumination::NoShadows : global.Shadows;
-    global.Occlusion = global.Occlusion == Illumination::HemisphereTubes
-      ? global.Occlusion
-      : Illumination::NoOcclusion;
-    problem = "Soft shadows and occlusion are left out: the densities could not be made.";
+    if (this->UpdateDensities(frame, model))
+    {
+      global.Densities = this->Densities;
+      global.DensitiesTime = this->Densities->GetBuildTime();
+    }
+    else
+    {
+      LeaveDensitiesOut(frame);
+      problem = "Soft shadows, occlusion and opacity acceleration by densities are left out: the "
+                "densities could not be made.";
+    }
   }
   if (global.Occlusion == Illumination::SphericalOcclusion)
   {
@@ -135,19 +159,19 @@ std::string vtkVoxelLineLightFields::Update(vtkVoxelLineFrame& frame, vtkVoxelLi
       global.Occlusion = Illumination::NoOcclusion;
     }
   }
-  if (NeedsDensities(global))
-  {
-    global.Densities = this->Densities;
-    global.DensitiesTime = this->Densities->GetBuildTime();
-  }
-  const vtkMTimeType after =
-    std::max({ this->Densities->GetBuildTime(), this->Occlusion.GetBuildTime(),
-      this->Level->GetOutput() ? this->Level->GetOutput()->GetMTime() : 0 });
-  if (after != before)
+  if (this->GetLatestTime() != before)
   {
     this->BuildTime = vtkTimerLog::GetUniversalTime() - start;
   }
   return problem;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkVoxelLineLightFields::GetLatestTime() const
+{
+  vtkVoxelLineModel* level = this->Level->GetOutput();
+  return std::max({ this->Densities->GetBuildTime(), this->Occlusion.GetBuildTime(),
+    level ? level->GetMTime() : 0 });
 }
 
 //------------------------------------------------------------------------------

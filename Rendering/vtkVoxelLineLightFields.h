@@ -52,6 +52,7 @@ private:
   vtkVoxelLineLightFields(const vtkVoxelLineLightFields&) = delete;
   void operator=(const vtkVoxelLineLightFields&) = delete;
 
+  vtkMTimeType GetLatestTime() const;
   bool UpdateDensities(const vtkVoxelLineFrame& frame, vtkVoxelLineModel* model);
   bool UpdateLevel(vtkVoxelLineFrame& frame, vtkVoxelLineModel* model, int level);
 

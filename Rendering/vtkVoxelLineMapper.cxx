@@ -185,6 +185,22 @@ void vtkVoxelLineMapper::SetEarlyTermination(double opacity)
 }
 
 //------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetOpacityAcceleration(double opacity)
+{
+  if (!(opacity >= 0.0 && opacity <= 1.0))
+  {
+    vtkErrorMacro("OpacityAcceleration " << opacity << " is not valid: it must be from 0 to 1. It "
+                                         << "stays " << this->OpacityAcceleration << ".");
+    return;
+  }
+  if (this->OpacityAcceleration != opacity)
+  {
+    this->OpacityAcceleration = opacity;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkVoxelLineMapper::SetIllumination(vtkLineIllumination* illumination)
 {
   if (illumination != this->Internals->Illumination || !illumination)
@@ -505,6 +521,7 @@ void vtkVoxelLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetFaceBins(other->FaceBins);
     this->SetInteriorTolerance(other->InteriorTolerance);
     this->SetEarlyTermination(other->EarlyTermination);
+    this->SetOpacityAcceleration(other->OpacityAcceleration);
     this->SetEngine(other->Engine);
     this->SetIllumination(other->GetIllumination());
     this->SetGlobalIllumination(other->GetGlobalIllumination());
@@ -526,6 +543,7 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FaceBins: " << this->FaceBins << "\n";
   os << indent << "InteriorTolerance: " << this->InteriorTolerance << "\n";
   os << indent << "EarlyTermination: " << this->EarlyTermination << "\n";
+  os << indent << "OpacityAcceleration: " << this->OpacityAcceleration << "\n";
   os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "SubPixelCoverage: " << (this->SubPixelCoverage ? "On" : "Off") << "\n";
   os << indent << "AccumulationFrames: " << this->AccumulationFrames << "\n";

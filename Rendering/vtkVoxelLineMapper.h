@@ -168,6 +168,19 @@ public:
 
   ///@{
   /**
+   * Opacity from which on the lines behind are not told apart, 0 to 1: the rest of a ray goes
+   * through ever coarser densities of the lines, which is faster, and takes the colour of the lines
+   * in front (opacity acceleration; Kanzler et al., Sec. 4.1.1). What is behind the lines shows
+   * through by how much the lines leave of it on the mean. Default 1: never. Without effect on
+   * opaque lines, and on rays that end before, see EarlyTermination. docs/design.md has times and
+   * errors. A value out of range is an error.
+   */
+  virtual void SetOpacityAcceleration(double opacity);
+  vtkGetMacro(OpacityAcceleration, double);
+  ///@}
+
+  ///@{
+  /**
    * Where rays are cast (EngineType). Default Automatic: on the processor where GL_RENDERER names a
    * software renderer (llvmpipe, softpipe, SWR, swrast, SwiftShader, Software Rasterizer, GDI
    * Generic, Microsoft Basic Render), else in a shader. Both give the same picture. Another value
@@ -357,6 +370,7 @@ protected:
   int FaceBins = 32;
   double InteriorTolerance = 0.0;
   double EarlyTermination = 0.99;
+  double OpacityAcceleration = 1.0;
   int Engine = Automatic;
   int EngineInUse = Automatic;
   int Quality = AutomaticQuality;

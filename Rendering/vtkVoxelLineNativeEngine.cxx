@@ -156,6 +156,8 @@ struct RayCaster
     , AllOpaque(settings.IsOpaque())
     , OpacityByPathLength(settings.OpacityByPathLength && !settings.IsOpaque())
     , EarlyTermination(settings.EarlyTermination)
+    , Accelerating(settings.IsAccelerated() && settings.Global.Densities)
+    , AccelerationOpacity(settings.AccelerationOpacity)
     , ViewFromLocal(settings.ViewFromLocal)
     , NormalFromLocal(settings.NormalFromLocal)
     , ParallelView(settings.Light.ParallelView)
@@ -418,6 +420,8 @@ struct RayCaster
   bool AllOpaque;
   bool OpacityByPathLength;
   Real EarlyTermination;
+  bool Accelerating;
+  Real AccelerationOpacity;
   mat4 ViewFromLocal;
   mat3 NormalFromLocal;
   bool ParallelView;
@@ -490,6 +494,8 @@ struct RayCaster
 #include "glsl/vtkVoxelLineDensity.glsl"
 
 #include "glsl/vtkVoxelLineShadow.glsl"
+
+#include "glsl/vtkVoxelLineAcceleration.glsl"
 
 #include "glsl/vtkVoxelLineShading.glsl"
 

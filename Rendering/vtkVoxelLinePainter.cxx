@@ -181,6 +181,8 @@ std::string vtkVoxelLinePainter::Describe(vtkVoxelLinePictureKey& wanted, const 
   frame.OpacityByPathLength = scene.Mapper->GetOpacityByPathLength();
   const double early = scene.Mapper->GetEarlyTermination();
   frame.EarlyTermination = early < 1.0 ? static_cast<float>(early) : NeverEarly;
+  const double accelerated = scene.Mapper->GetOpacityAcceleration();
+  frame.AccelerationOpacity = accelerated < 1.0 ? static_cast<float>(accelerated) : NeverEarly;
   return {};
 }
 

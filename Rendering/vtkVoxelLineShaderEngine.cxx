@@ -21,6 +21,7 @@
 #include "vtkVoxelLineShaderUniforms.h"
 #include "vtkWeakPointer.h"
 
+#include "vtkVoxelLineAcceleration.h"
 #include "vtkVoxelLineCapsule.h"
 #include "vtkVoxelLineCount.h"
 #include "vtkVoxelLineDensity.h"
@@ -297,8 +298,9 @@ bool vtkVoxelLineShaderEngine::Internals::PrepareQuad(vtkOpenGLRenderWindow* win
     std::string source = std::string("//VTK::System::Dec\n//VTK::Output::Dec\n") +
       vtkVoxelLineFetch + vtkVoxelLinePacking + vtkVoxelLineCapsule + vtkVoxelLineRay +
       vtkVoxelLineSegment + vtkVoxelLineOccluder + vtkVoxelLineHits + vtkVoxelLineSlabs +
-      vtkVoxelLineOcclusionRay + vtkVoxelLineDensity + vtkVoxelLineShadow + vtkVoxelLineShading +
-      vtkVoxelLineLayers + vtkVoxelLineTraversal + vtkVoxelLinePixel + vtkVoxelLineFragment;
+      vtkVoxelLineOcclusionRay + vtkVoxelLineDensity + vtkVoxelLineShadow +
+      vtkVoxelLineAcceleration + vtkVoxelLineShading + vtkVoxelLineLayers + vtkVoxelLineTraversal +
+      vtkVoxelLinePixel + vtkVoxelLineFragment;
     vtkShaderProgram::Substitute(source, "//LineSets::Constants", kind);
     this->Quad.reset();
     if (!window->GetShaderCache()->ReadyShaderProgram(vtkVoxelLineVertex, source.c_str(), ""))

@@ -43,6 +43,7 @@ std::string vtkVoxelLineShaderUniforms::MakeConstants(
   constant("bool", "HasScene", hasScene ? 1 : 0);
   constant("int", "Shadows", frame.Global.Shadows);
   constant("int", "Occlusion", frame.Global.Occlusion);
+  constant("bool", "Accelerating", frame.IsAccelerated() && frame.Global.Densities ? 1 : 0);
   constant("int", "DensityLevels",
     frame.Global.Densities ? frame.Global.Densities->GetNumberOfLevels() : 0);
   constant("bool", "SecondaryRays", frame.SecondaryRays || frame.LevelRays ? 1 : 0);
@@ -109,6 +110,7 @@ void vtkVoxelLineShaderUniforms::Set(vtkShaderProgram* program, vtkVoxelLineMode
   set1("SpecularPower", frame.Light.SpecularPower);
   set1("Opacity", frame.Opacity);
   set1("EarlyTermination", frame.EarlyTermination);
+  set1("AccelerationOpacity", frame.AccelerationOpacity);
   const vtkVoxelLineGlobalLight& global = frame.Global;
   if (!global.Lights.empty() && program->IsUniformUsed("LocalLights"))
   {

@@ -36,6 +36,7 @@ uniform float Diffuse;
 uniform float SpecularPower;
 uniform float Opacity;
 uniform float EarlyTermination;
+uniform float AccelerationOpacity;
 uniform mat4 ViewFromLocal;
 uniform mat3 NormalFromLocal;
 

@@ -94,6 +94,10 @@ void blend(vec3 shade, Real opacity, Real seen, uint segment, int brick)
   RayColor += shade * weight;
   RayOpacity += weight;
   Finished = RayOpacity >= EarlyTermination || opacity >= Real(1);
+  if (Accelerating && !Finished && RayOpacity >= AccelerationOpacity)
+  {
+    accelerate(seen);
+  }
 }
 
 // Shades the segment where the ray meets its wall and blends it as the next layer. The ray goes

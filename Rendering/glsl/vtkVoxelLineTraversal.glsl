@@ -30,7 +30,7 @@
 // The engine supplies what vtkVoxelLineFrame and vtkVoxelLineModel tell: GridDimensions,
 // BrickDimensions, Radius, LargestRadius, ThinTubes, NarrowTubes, LitAsLines, HasRadii, SegmentWords, FaceBits, InteriorBins, IdExtension, Coloring,
 // HasNaN, AmbientColor, DiffuseColor, Ambient, Diffuse, Opacity, Lighting, AllOpaque, Picking,
-// Interactive, OpacityByPathLength (false where AllOpaque is set), EarlyTermination, NormalFromLocal, ViewFromLocal; the constants HitCapacity, ActiveCapacity,
+// Interactive, OpacityByPathLength (false where AllOpaque is set), EarlyTermination, Accelerating and AccelerationOpacity, at which the rest of a ray goes by densities, NormalFromLocal, ViewFromLocal; the constants HitCapacity, ActiveCapacity,
 // InsideCapacity and Beyond, a distance that no ray reaches; and
 //   int fetchBrickGrid(int), uvec4 fetchBrick(int), uint fetchBrickFirstCurve(int),
 //   uint fetchVoxelStart(uint), uint fetchSegmentWord(uint), uint fetchIdExtension(uint),
