@@ -34,7 +34,7 @@ assert mapper.IsA("vtkPolyDataMapper") and isinstance(mapper, vtkPolyDataMapper)
 assert mapper.GetRadius() == 0.0 and mapper.GetRadiusArrayName() == ""
 assert mapper.GetResolution() == 256 and mapper.GetFaceBins() == 32
 assert mapper.GetInteriorTolerance() == vtkLineVoxelizer().GetInteriorTolerance()
-assert mapper.GetEarlyTermination() == 0.99
+assert mapper.GetEarlyTermination() == 0.99 and mapper.GetOpacityAcceleration() == 1.0
 assert mapper.GetEngine() == vtkVoxelLineMapper.Automatic
 assert mapper.GetEngineInUse() == vtkVoxelLineMapper.Automatic
 assert mapper.GetModel() is None and mapper.GetModelBuildTime() == 0.0
