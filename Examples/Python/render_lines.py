@@ -76,7 +76,7 @@ if options.shadows != "none":
     sun.SetLightTypeToSceneLight()
     sun.SetIntensity(0.8)
     fill.SetLightTypeToHeadlight()
-    fill.SetIntensity(0.25)
+    fill.SetIntensity(0.4)
     renderer.AddLight(sun)
     renderer.AddLight(fill)
 window.Render()

@@ -276,7 +276,7 @@ void AddLights(vtkRenderer* renderer)
   renderer->AddLight(sun);
   vtkNew<vtkLight> fill;
   fill->SetLightTypeToHeadlight();
-  fill->SetIntensity(0.25);
+  fill->SetIntensity(0.4);
   renderer->AddLight(fill);
 }
 
