@@ -10,7 +10,6 @@
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkLight.h"
 #include "vtkLookupTable.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -123,10 +122,7 @@ void Benchmark::MakeWindow()
   this->Input.Camera = vtkSmartPointer<vtkCamera>::New();
   PlaceCamera(this->Input, 0);
   this->Input.PixelRadius = GetPixelRadius(this->Input);
-  if (options.Light == "right")
-  {
-    this->Input.Light = MakeLightFromRight(this->Input.Camera);
-  }
+  this->Input.Lights = MakeLights(options.Light, this->Input.Camera);
 }
 
 //------------------------------------------------------------------------------

@@ -45,7 +45,8 @@ SCENE or --scene SCENE   )"
                          voxel,oit)
   voxel                  vtkVoxelLineMapper
   voxel-hard-shadow      the same with hard shadows; this and the next two and voxel-full need
-                         --light right, since a headlight casts no shadows that the camera sees
+                         --light right or studio, since a headlight casts no shadows that the
+                         camera sees
   voxel-line-shadow      the same with shadows of the representative lines of a level
   voxel-soft-shadow      the same with soft shadows
   voxel-occlusion        the same with spherical ambient occlusion, per voxel
@@ -70,8 +71,8 @@ SCENE or --scene SCENE   )"
 --face-bins N            bins along a voxel's edge, for voxel methods (default 32; 0 for exact
                          points)
 --light LIGHT            headlight (default), or right: one light in the scene, to the right of
-                         the camera as it stands in the first view. It stays there while the
-                         camera turns
+                         the camera as it stands in the first view, where it stays while the
+                         camera turns; or studio: that one and a headlight half as bright
 --shadow-level N         level of voxel-line-shadow, 1 to 12 (default 1)
 --cone-angle A           full angle of the cones of soft shadows, 0 to 60 degrees (default 10)
 --occlusion-radius R     how far occlusion reaches, 1 to 4096 voxels (default 15)

@@ -46,9 +46,9 @@ void BenchmarkMethod::SetMapper(vtkPolyDataMapper* mapper, const BenchmarkInput&
   this->Renderer->SetActiveCamera(input.Camera);
   const double background = plain ? 0.08 : 1.0;
   this->Renderer->SetBackground(background, background, background);
-  if (input.Light)
+  for (const vtkSmartPointer<vtkLight>& light : input.Lights)
   {
-    this->Renderer->AddLight(input.Light);
+    this->Renderer->AddLight(light);
   }
 }
 

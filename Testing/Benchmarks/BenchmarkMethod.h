@@ -41,8 +41,8 @@ struct BenchmarkInput
   /// Bounds of the lines at rest, in units of the data.
   double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   vtkSmartPointer<vtkCamera> Camera;
-  /// Null where the headlight that VTK makes is the light.
-  vtkSmartPointer<vtkLight> Light;
+  /// Empty where the headlight that VTK makes is the light.
+  std::vector<vtkSmartPointer<vtkLight>> Lights;
   /// Null where the lines have no colours of their own.
   vtkSmartPointer<vtkLookupTable> Table;
   double Radius = 0.0;

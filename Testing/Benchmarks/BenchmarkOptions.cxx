@@ -160,7 +160,7 @@ std::map<std::string, Setter> GetSetters()
     { "--samples", [](O& o, const S& v) { o.Samples = ToInt("--samples", v, 0, 64); } },
     { "--light",
       [](O& o, const S& v) {
-        o.Light = ToNames("--light", v, { "headlight", "right" }).front();
+        o.Light = ToNames("--light", v, { "headlight", "right", "studio" }).front();
       } },
     { "--shadow-level",
       [](O& o, const S& v) { o.ShadowLevel = ToInt("--shadow-level", v, 1, 12); } },
@@ -214,7 +214,7 @@ void CheckTogether(BenchmarkOptions& options)
     if (HasShadows(name) && options.Light == "headlight")
     {
       throw std::invalid_argument("--methods: " + name +
-        " needs --light right: a headlight casts no shadows that the camera sees");
+        " needs --light right or studio: a headlight casts no shadows that the camera sees");
     }
   }
 }

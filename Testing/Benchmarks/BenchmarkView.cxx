@@ -74,4 +74,21 @@ vtkSmartPointer<vtkLight> MakeLightFromRight(vtkCamera* camera)
   light->SetFocalPoint(camera->GetFocalPoint());
   return light;
 }
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkLight>> MakeLights(const std::string& name, vtkCamera* camera)
+{
+  std::vector<vtkSmartPointer<vtkLight>> lights;
+  if (name != "headlight")
+  {
+    lights.push_back(MakeLightFromRight(camera));
+  }
+  if (name == "studio")
+  {
+    lights.push_back(vtkSmartPointer<vtkLight>::New());
+    lights.back()->SetLightTypeToHeadlight();
+    lights.back()->SetIntensity(0.5);
+  }
+  return lights;
+}
 }

@@ -8,7 +8,10 @@
 #ifndef BenchmarkView_h
 #define BenchmarkView_h
 
-#include "vtkSmartPointer.h" // For the light
+#include "vtkSmartPointer.h" // For the lights
+
+#include <string> // For a name
+#include <vector> // For the lights
 
 class vtkCamera;
 class vtkLight;
@@ -27,6 +30,11 @@ double GetPixelRadius(const BenchmarkInput& input);
 /// A light from the right of the camera as it is now. It is fixed in the scene: as the camera
 /// turns, it sees shadows from other sides, and nothing that a method may keep of them is lost.
 vtkSmartPointer<vtkLight> MakeLightFromRight(vtkCamera* camera);
+
+/// The lights of a value of --light, for the camera as it is now: none for headlight, which VTK
+/// makes by itself; the one from the right; or, for studio, that one and a headlight half as
+/// bright.
+std::vector<vtkSmartPointer<vtkLight>> MakeLights(const std::string& name, vtkCamera* camera);
 }
 
 #endif

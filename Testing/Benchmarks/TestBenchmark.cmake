@@ -124,7 +124,7 @@ set(tiny tornado --lines 20 --vertices 60 --size 48x36 --frames 1 --radius 0.05 
 set(global voxel-hard-shadow voxel-line-shadow voxel-soft-shadow voxel-occlusion voxel-full
   voxel-hemisphere voxel-hemisphere-tubes)
 string(REPLACE ";" "," methods "voxel;${global}")
-run(0 "" ${tiny} --methods ${methods} --light right --engine native --shadow-level 2 --cone-angle 20
+run(0 "" ${tiny} --methods ${methods} --light studio --engine native --shadow-level 2 --cone-angle 20
   --occlusion-radius 4 --occlusion-samples 3 --reference --reference-decoded)
 set(keys_of_voxel-hard-shadow "\"shadows\": \"hard\"")
 set(keys_of_voxel-line-shadow "\"shadows\": \"level\", \"shadow_level\": 2")
@@ -151,7 +151,7 @@ foreach (method IN LISTS global)
   endif ()
 endforeach ()
 foreach (method IN ITEMS voxel-hard-shadow voxel-line-shadow voxel-soft-shadow voxel-full)
-  run(2 "--methods: ${method} needs --light right" ${tiny} --methods voxel,${method})
+  run(2 "--methods: ${method} needs --light right or studio" ${tiny} --methods voxel,${method})
 endforeach ()
 run(0 "\"light\": \"headlight\"" ${tiny} --methods voxel-occlusion,voxel-hemisphere)
 if (output MATCHES "ratio_voxel")
