@@ -382,7 +382,7 @@ void FillGaps(std::array<double, VoxelsPerBrick>& values)
 
 // Where voxels hold few lines, what surrounds them changes little from one to the next: every
 // other one is computed, and the rest is interpolated.
-constexpr vtkIdType FewSegments = 3;
+constexpr vtkIdType FewSegments = 2;
 
 bool IsSparse(const vtkVoxelLineSegments::Reader& reader, vtkIdType brick)
 {

@@ -29,21 +29,6 @@ int voxelInBrick(ivec3 voxel)
   return (voxel.x & 3) | ((voxel.y & 3) << 2) | ((voxel.z & 3) << 4);
 }
 
-// Density of a voxel of a level; 0 outside the grid.
-Real voxelDensity(ivec3 voxel, int level, ivec3 size)
-{
-  if (min(min(voxel.x, voxel.y), voxel.z) < 0 || voxel.x >= size.x || voxel.y >= size.y || voxel.z >= size.z)
-  {
-    return Real(0);
-  }
-  if (level == 0)
-  {
-    int brick = brickGridAt(voxel);
-    return brick < 0 ? Real(0) : fetchDensity(0, 64 * brick + voxelInBrick(voxel));
-  }
-  return fetchDensity(level, voxel.x + size.x * (voxel.y + size.y * voxel.z));
-}
-
 // The density between the centres of eight voxels, of which first has the lowest index and the others
 // follow by the strides.
 Real mixDensities(int level, int first, int strideY, int strideZ, vec3 part)
@@ -54,6 +39,50 @@ Real mixDensities(int level, int first, int strideY, int strideZ, vec3 part)
   Real d01 = mix(fetchDensity(level, first), fetchDensity(level, first + 1), part.x);
   Real d11 = mix(fetchDensity(level, first + strideY), fetchDensity(level, first + strideY + 1), part.x);
   return mix(mix(d00, d10, part.y), mix(d01, d11, part.y), part.z);
+}
+
+// The same where some voxels may lie in other bricks, of level 0, or outside the grid, where there is
+// nothing: voxel has the lowest index along each axis.
+Real mixSeparateDensities(int level, ivec3 voxel, ivec3 size, vec3 part)
+{
+  ivec3 last = size - ivec3(1);
+  ivec3 low = clamp(voxel, ivec3(0), last);
+  ivec3 high = clamp(voxel + ivec3(1), ivec3(0), last);
+  vec3 lowWeight = vec3(Real(1)) - part;
+  vec3 highWeight = part;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    lowWeight[axis] = low[axis] == voxel[axis] ? lowWeight[axis] : Real(0);
+    highWeight[axis] = high[axis] == voxel[axis] + 1 ? highWeight[axis] : Real(0);
+  }
+  // Both sides' share of the brick's cell and of the place in it, axis by axis; without bricks of
+  // the place alone.
+  ivec3 cells = ivec3(1, BrickDimensions.x, BrickDimensions.x * BrickDimensions.y);
+  ivec3 places = level == 0 ? ivec3(1, 4, 16) : ivec3(1, size.x, size.x * size.y);
+  ivec3 lowCell = (low >> 2) * cells;
+  ivec3 highCell = (high >> 2) * cells;
+  ivec3 lowPlace = (level == 0 ? low & 3 : low) * places;
+  ivec3 highPlace = (level == 0 ? high & 3 : high) * places;
+  Real sum = Real(0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    bool highX = (corner & 1) != 0;
+    bool highY = (corner & 2) != 0;
+    bool highZ = (corner & 4) != 0;
+    int place = (highX ? highPlace.x : lowPlace.x) + (highY ? highPlace.y : lowPlace.y) +
+      (highZ ? highPlace.z : lowPlace.z);
+    Real weight = (highX ? highWeight.x : lowWeight.x) * (highY ? highWeight.y : lowWeight.y) *
+      (highZ ? highWeight.z : lowWeight.z);
+    if (level == 0)
+    {
+      int brick = fetchBrickGrid((highX ? highCell.x : lowCell.x) + (highY ? highCell.y : lowCell.y) +
+        (highZ ? highCell.z : lowCell.z));
+      weight = brick < 0 ? Real(0) : weight;
+      place += 64 * max(brick, 0);
+    }
+    sum += weight * fetchDensity(level, place);
+  }
+  return sum;
 }
 
 // Density between the centres of a level's voxels, interpolated trilinearly; x in voxels of the level.
@@ -75,14 +104,7 @@ Real densityAt(vec3 x, int level, ivec3 size)
     int brick = brickGridAt(voxel);
     return brick < 0 ? Real(0) : mixDensities(0, 64 * brick + voxelInBrick(voxel), 4, 16, part);
   }
-  Real sum = Real(0);
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    ivec3 side = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
-    vec3 weight = mix(vec3(Real(1)) - part, part, vec3(side));
-    sum += weight.x * weight.y * weight.z * voxelDensity(voxel + side, level, size);
-  }
-  return sum;
+  return mixSeparateDensities(level, voxel, size, part);
 }
 
 // How far around a position all bricks are empty, in voxels; 0 near the grid's border and outside.
@@ -128,7 +150,7 @@ Real coneDepth(vec3 origin, vec3 direction, Real start, Real end, Real spread)
   bool mayBeEmpty = true;
   while (t < last && depth < limit)
   {
-    while (level + 1 < DensityLevels && Real(1) + spread * t >= Real(1.5) * edge)
+    while (level + 1 < DensityLevels && Real(1) + spread * t >= Real(2) * edge)
     {
       level = level + 1;
       size = levelSize(level);
