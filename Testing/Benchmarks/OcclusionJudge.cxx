@@ -270,7 +270,7 @@ private:
   int BrickDimensions[3];
 };
 
-/// Sums of value - exact.
+/// Root of the mean square, and mean, of value - exact.
 struct Differences
 {
   double Rmse = 0.0;
