@@ -15,6 +15,7 @@
 #include "vtkVoxelLineFrame.h"
 #include "vtkVoxelLineOcclusion.h"
 
+#include "vtkRenderingLineSetsModule.h" // For export macro
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -25,7 +26,7 @@ class vtkVoxelLineDensities;
 class vtkVoxelLineLevel;
 class vtkVoxelLineModel;
 
-class vtkVoxelLineLightFields
+class VTKRENDERINGLINESETS_EXPORT vtkVoxelLineLightFields
 {
 public:
   vtkVoxelLineLightFields();

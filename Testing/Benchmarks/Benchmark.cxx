@@ -282,6 +282,24 @@ void Benchmark::TakePictures()
 }
 
 //------------------------------------------------------------------------------
+void Benchmark::JudgeOcclusions()
+{
+  if (!this->Input.Options.OcclusionReference)
+  {
+    return;
+  }
+  PlaceCamera(this->Input, 0);
+  for (BenchmarkEntry& entry : this->Entries)
+  {
+    if (HasSphericalOcclusion(entry.Method->Name))
+    {
+      this->Attempt(*entry.Method, "occlusion reference",
+        [&] { entry.Occlusion = JudgeOcclusion(this->Input, *entry.Method); });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 bool Benchmark::Run()
 {
   this->MakeInput();
@@ -296,6 +314,7 @@ bool Benchmark::Run()
   }
   this->DrawTimedFrames();
   this->TakePictures();
+  this->JudgeOcclusions();
   bool good = true;
   for (BenchmarkEntry& entry : this->Entries)
   {

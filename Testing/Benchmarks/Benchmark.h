@@ -47,6 +47,7 @@ private:
   void DrawTimedFrames();
   void TakePicture(BenchmarkEntry& entry);
   void TakePictures();
+  void JudgeOcclusions();
 
   BenchmarkInput Input;
   std::unique_ptr<MovingLines> Moving; // null: the lines stay

@@ -103,6 +103,9 @@ SCENE or --scene SCENE   )"
                          voxel draws by what they cover, differ from it. It has neither shadows
                          nor occlusion, so methods that have are not compared
 --reference-decoded      for voxel, also with an exact picture of the model: key rmse_decoded
+--occlusion-reference    for voxel-occlusion and voxel-full, also compare the occlusion of voxels with
+                         brute force, and time it: keys densities_ms to bias_occlusion_seen
+--occlusion-places N     how many places of the lines that compares, 1 to 1000000 (default 300)
 --json FILE              where the JSON goes (default: standard output)
 --image PREFIX           write the pictures of the first view as PREFIX-METHOD.png; with
                          --animate, of the lines of the last frame
@@ -117,7 +120,9 @@ void PrintKeys(std::ostream& out)
 Keys: scene lines vertices method engine width height opacity radius light animated frames
 median_ms min_ms max_ms cpu_ms rebuild_ms draw_ms build_ms first_frame_ms model_bytes gpu_bytes
 segments drawn peels shadows shadow_level cone_angle occlusion occlusion_radius occlusion_samples
-rmse ssim rmse_decoded ratio_tubes ratio_peeling ratio_lines ratio_voxel renderer vtk threads error.
+rmse ssim rmse_decoded densities_ms occlusion_ms rmse_occlusion bias_occlusion rmse_occlusion_lines
+bias_occlusion_lines rmse_occlusion_seen bias_occlusion_seen ratio_tubes ratio_peeling ratio_lines
+ratio_voxel renderer vtk threads error.
 Keys that do not apply are left out.
 
 Times are wall clock times of a frame until OpenGL has finished, but cpu_ms is the median of the
@@ -129,6 +134,15 @@ the new lines to the picture. rebuild_ms is the median of the part in which voxe
 their model or tubes their triangles, draw_ms that of the rest of the frame; uploads and, where
 shadows or occlusion need them, levels and densities are in the rest. Lines are drawn as they are
 and have neither of the two.
+
+densities_ms and occlusion_ms are medians of three times that the densities, and the occlusion of all
+voxels that is computed from them, take from scratch; compare build_ms. Brute force casts 2500 rays
+of --occlusion-radius from a point on a line through the tubes of the decoded model, of which the
+stretch that a ray starts inside does not count. rmse_occlusion and bias_occlusion (positive: too
+dark) compare voxels with the mean over 8 points on their lines, at places spread evenly over the
+length of all lines; those on lines compare interpolated values at these places themselves, and
+those seen at places under random pixels of the first view. Occlusions are in [0,1];
+the places are the same in each run.
 
 drawn is the number of segments that illuminated lines drew after merging. gpu_bytes of tubes is
 computed from the arrays that VTK uploads. rmse is in [0,1]. ratio_tubes, ratio_peeling and

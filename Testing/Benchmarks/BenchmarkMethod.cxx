@@ -16,6 +16,9 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace linesets
 {
 //------------------------------------------------------------------------------
@@ -82,6 +85,13 @@ bool HasShadows(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+bool HasSphericalOcclusion(const std::string& name)
+{
+  const VoxelMethod::Variant* variant = VoxelMethod::FindVariant(name);
+  return variant && variant->Occlusion == vtkLineGlobalIllumination::SphericalOcclusion;
+}
+
+//------------------------------------------------------------------------------
 bool HasGlobalIllumination(const std::string& name)
 {
   return VoxelMethod::FindVariant(name) != nullptr;
@@ -119,6 +129,18 @@ double GetMilliseconds(std::chrono::steady_clock::time_point since)
 {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - since)
     .count();
+}
+
+//------------------------------------------------------------------------------
+double GetMedian(std::vector<double> values)
+{
+  if (values.empty())
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 //------------------------------------------------------------------------------

@@ -104,6 +104,9 @@ bool IsVoxelMethod(const std::string& name);
 /// Whether a method has shadows, for which a headlight does not do.
 bool HasShadows(const std::string& name);
 
+/// Whether a method has the occlusion of voxels that can be held against brute force.
+bool HasSphericalOcclusion(const std::string& name);
+
 /// Whether a method has shadows or ambient occlusion, which the exact pictures do not have.
 bool HasGlobalIllumination(const std::string& name);
 
@@ -112,6 +115,9 @@ std::unique_ptr<BenchmarkMethod> MakeMethod(const std::string& name, const std::
 
 /// Wall clock time in milliseconds.
 double GetMilliseconds(std::chrono::steady_clock::time_point since);
+
+/// Median, the mean of the middle two for an even number; NaN for no values.
+double GetMedian(std::vector<double> values);
 
 /// Segments of all lines.
 long long CountLineSegments(vtkPolyData* lines);

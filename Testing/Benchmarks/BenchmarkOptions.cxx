@@ -171,6 +171,8 @@ std::map<std::string, Setter> GetSetters()
       { o.OcclusionRadius = ToNumber("--occlusion-radius", v, 1.0, 4096.0); } },
     { "--occlusion-samples",
       [](O& o, const S& v) { o.OcclusionSamples = ToInt("--occlusion-samples", v, 1, 10000); } },
+    { "--occlusion-places",
+      [](O& o, const S& v) { o.OcclusionPlaces = ToInt("--occlusion-places", v, 1, 1000000); } },
     { "--json", [](O& o, const S& v) { o.JsonFile = v; } },
     { "--image", [](O& o, const S& v) { o.ImagePrefix = v; } },
     { "--data", [](O& o, const S& v) { o.DataFolder = v; } },
@@ -181,8 +183,22 @@ std::map<std::string, bool BenchmarkOptions::*> GetFlags()
 {
   return { { "--reference", &BenchmarkOptions::Reference },
     { "--reference-decoded", &BenchmarkOptions::DecodedReference },
+    { "--occlusion-reference", &BenchmarkOptions::OcclusionReference },
     { "--stretch", &BenchmarkOptions::Stretch }, { "--plain", &BenchmarkOptions::Plain },
     { "--animate", &BenchmarkOptions::Animate }, { "--help", &BenchmarkOptions::Help } };
+}
+
+void CheckOcclusionReference(const BenchmarkOptions& options)
+{
+  if (std::none_of(options.Methods.begin(), options.Methods.end(), HasSphericalOcclusion))
+  {
+    throw std::invalid_argument("--occlusion-reference: none of the methods has spherical "
+                                "occlusion, as voxel-occlusion and voxel-full have");
+  }
+  if (options.Opacity < 1.0)
+  {
+    throw std::invalid_argument("--occlusion-reference: needs an opacity of 1");
+  }
 }
 
 void CheckTogether(BenchmarkOptions& options)
@@ -216,6 +232,10 @@ void CheckTogether(BenchmarkOptions& options)
       throw std::invalid_argument("--methods: " + name +
         " needs --light right or studio: a headlight casts no shadows that the camera sees");
     }
+  }
+  if (options.OcclusionReference)
+  {
+    CheckOcclusionReference(options);
   }
 }
 }

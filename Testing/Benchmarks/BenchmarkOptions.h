@@ -42,6 +42,8 @@ struct BenchmarkOptions
   bool Animate = false;          ///< other lines in every frame
   bool Reference = false;
   bool DecodedReference = false;
+  bool OcclusionReference = false;
+  int OcclusionPlaces = 300; ///< held against the occlusion reference, 1 to 1000000
   std::string JsonFile;
   std::string ImagePrefix;
   std::string DataFolder;

@@ -18,18 +18,6 @@ namespace linesets
 {
 namespace
 {
-// NaN for no values.
-double GetMedian(std::vector<double> values)
-{
-  if (values.empty())
-  {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 void AddFinite(JsonObject& object, const std::string& key, double value)
 {
   if (std::isfinite(value))
@@ -67,6 +55,18 @@ void AddTimes(JsonObject& object, const BenchmarkMethod& method)
   AddFinite(object, "draw_ms", GetMedian(method.DrawMilliseconds));
   object.Add("build_ms", method.BuildMilliseconds);
   object.Add("first_frame_ms", method.FirstFrameMilliseconds);
+}
+
+void AddOcclusion(JsonObject& object, const OcclusionMeasures& measures)
+{
+  AddFinite(object, "densities_ms", measures.DensityMilliseconds);
+  AddFinite(object, "occlusion_ms", measures.OcclusionMilliseconds);
+  AddFinite(object, "rmse_occlusion", measures.VoxelRmse);
+  AddFinite(object, "bias_occlusion", measures.VoxelBias);
+  AddFinite(object, "rmse_occlusion_lines", measures.LineRmse);
+  AddFinite(object, "bias_occlusion_lines", measures.LineBias);
+  AddFinite(object, "rmse_occlusion_seen", measures.SeenRmse);
+  AddFinite(object, "bias_occlusion_seen", measures.SeenBias);
 }
 
 void AddRatios(
@@ -108,6 +108,7 @@ std::string DescribeEntry(const BenchmarkEntry& entry, const std::vector<Benchma
     AddFinite(object, "rmse", entry.Rmse);
     AddFinite(object, "ssim", entry.Ssim);
     AddFinite(object, "rmse_decoded", entry.DecodedRmse);
+    AddOcclusion(object, entry.Occlusion);
     AddRatios(object, method, entries);
   }
   if (!renderer.empty())

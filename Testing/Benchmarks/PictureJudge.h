@@ -9,6 +9,7 @@
 #define PictureJudge_h
 
 #include "BenchmarkMethod.h"
+#include "OcclusionJudge.h"
 
 #include "vtkNew.h" // For pictures
 
@@ -19,7 +20,7 @@ class vtkImageData;
 
 namespace linesets
 {
-/// A method, its picture, and how that compares; NaN where it was not compared.
+/// A method, its picture, and how that and its occlusion compare; NaN where it was not compared.
 struct BenchmarkEntry
 {
   std::unique_ptr<BenchmarkMethod> Method;
@@ -27,6 +28,7 @@ struct BenchmarkEntry
   double Rmse = std::numeric_limits<double>::quiet_NaN();
   double Ssim = std::numeric_limits<double>::quiet_NaN();
   double DecodedRmse = std::numeric_limits<double>::quiet_NaN();
+  OcclusionMeasures Occlusion;
 };
 
 class PictureJudge

@@ -158,6 +158,52 @@ if (output MATCHES "ratio_voxel")
   fail("a ratio to voxel without voxel: ${output}")
 endif ()
 
+# Occlusion against brute force: the keys, for the methods that have it alone; errors as small as
+# they are where values are looked up at the right places, and larger where the camera sees lines;
+# and that neither the number of threads nor the engine changes the result.
+set(occlusion tornado --lines 200 --vertices 60 --size 48x36 --frames 1 --radius 0.01 --resolution 16
+  --occlusion-radius 8 --light right --occlusion-reference --occlusion-places 20)
+set(number "-?[0-9.]+[0-9e-]*")
+set(keys "\"rmse_occlusion\": ${number}, \"bias_occlusion\": ${number}")
+foreach (place IN ITEMS lines seen)
+  string(APPEND keys
+    ", \"rmse_occlusion_${place}\": ${number}, \"bias_occlusion_${place}\": ${number}")
+endforeach ()
+set(results "")
+foreach (threads IN ITEMS 1 2)
+  run(0 "" ${occlusion} --methods voxel,voxel-full --engine native --threads ${threads})
+  string(REGEX MATCH "[^\n]*\"method\": \"voxel\"[^\n]*" object "${output}")
+  if (object MATCHES "_occlusion|densities_ms|occlusion_ms")
+    fail("occlusion of plain voxel lines: ${object}")
+  endif ()
+  string(REGEX MATCH "[^\n]*\"method\": \"voxel-full\"[^\n]*" object "${output}")
+  if (NOT object MATCHES "\"densities_ms\": [0-9.]+, \"occlusion_ms\": [0-9.]+, ${keys}")
+    fail("keys of the occlusion reference: ${object}")
+  endif ()
+  string(REGEX MATCH "${keys}" result "${object}")
+  list(APPEND results "${result}")
+endforeach ()
+run(0 "" ${occlusion} --methods voxel-occlusion --engine shader)
+string(REGEX MATCH "${keys}" result "${output}")
+list(APPEND results "${result}")
+list(REMOVE_DUPLICATES results)
+list(LENGTH results count)
+if (NOT count EQUAL 1)
+  fail("errors of occlusion change from run to run: ${results}")
+endif ()
+foreach (key IN ITEMS rmse_occlusion rmse_occlusion_lines rmse_occlusion_seen)
+  string(REGEX MATCH "\"${key}\": (${number})" match "${result}")
+  set(${key} "${CMAKE_MATCH_1}")
+endforeach ()
+if (NOT rmse_occlusion GREATER 0 OR NOT rmse_occlusion LESS 0.035
+    OR NOT rmse_occlusion_lines LESS 0.055 OR NOT rmse_occlusion_seen LESS 0.1
+    OR NOT rmse_occlusion_seen GREATER rmse_occlusion_lines)
+  fail("errors of occlusion: ${result}")
+endif ()
+run(2 "--occlusion-reference: none of the methods has" ${occlusion} --methods voxel,voxel-hemisphere)
+run(2 "--occlusion-reference: needs an opacity of 1" ${occlusion} --methods voxel-full --opacity 0.5)
+run(2 "--occlusion-places: 0 is not" ${occlusion} --occlusion-places 0)
+
 # An entry per engine, and each is held against voxel with its own: shaders take many times as long
 # with software OpenGL, so that a ratio across engines would be far from 1.
 run(0 "" ${tiny} --size 16x12 --methods voxel,voxel-occlusion --engine native,shader)
