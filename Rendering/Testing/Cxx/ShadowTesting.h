@@ -140,11 +140,16 @@ struct ShadowProfile
   double Depth = 0.0;
   double Sum = 0.0;
 
-  explicit ShadowProfile(const std::vector<double>& loss)
+  explicit ShadowProfile(
+    const std::vector<double>& loss, double middle = 0.0, double halfWidth = 1e9)
   {
     double square = 0.0;
     for (std::size_t x = 0; x < loss.size(); ++x)
     {
+      if (std::abs(static_cast<double>(x) + 0.5 - middle) > halfWidth)
+      {
+        continue;
+      }
       const double at = static_cast<double>(x) + 0.5;
       this->Sum += loss[x];
       this->Centre += at * loss[x];

@@ -4,7 +4,8 @@
 // Guards what soft shadows and ambient occlusion leave of the light, by pixels of pictures of
 // random straight lines against 2500 rays through the tubes in double precision:
 // - soft shadows, over the cone of ShadowConeAngle,
-// - occlusion of the hemisphere above the surface, by tubes and by densities,
+// - occlusion of the hemisphere above the surface, by tubes and by densities, and of the sphere
+//   about the axis, which leaves min(1, 2 (1 - occlusion)),
 // - and that light does not depend on where the voxels lie: a grid shifted by half a voxel.
 #include "BruteForceLight.h"
 #include "ShadowTesting.h"
@@ -138,9 +139,9 @@ void TestSoftShadows(Checks& check)
   MediumStage stage(MakeMedium(350, 0.0), 80, 60);
   const Picture plain = stage.Render(Global::NoShadows);
   const BruteForceLight::Tubes tubes(stage.Mapper->GetModel(), 0.5);
-  std::vector<Seen> pixels = FindSeen(stage, tubes, plain, 11);
+  std::vector<Seen> pixels = FindSeen(stage, tubes, plain, 31);
   check(pixels.size() > 80, "enough pixels");
-  for (const double degrees : { 10.0, 40.0 })
+  for (const double degrees : { 10.0, 30.0, 60.0 })
   {
     const BruteForceLight::Directions cone = BruteForceLight::MakeCone(
       glm::normalize(glm::dvec3(1.3, 1.0, 2.0)), degrees * Pi / 180.0, 2500);
@@ -156,7 +157,7 @@ void TestSoftShadows(Checks& check)
     const Errors errors = Judge(pixels, soft, plain, name);
     Judge(pixels, soft, plain, name + ", from the axis", &Seen::AxisTruth);
     check(std::abs(errors.GetBias()) < 0.05, name + ": mean");
-    check(errors.GetRmse() < (degrees < 20.0 ? 0.25 : 0.12), name + ": RMSE");
+    check(errors.GetRmse() < (degrees < 20.0 ? 0.23 : 0.14), name + ": RMSE");
   }
 }
 
@@ -165,24 +166,26 @@ void TestHemispheres(Checks& check)
   MediumStage stage(MakeMedium(350, 0.0), 80, 60);
   const Picture plain = stage.Render(Global::NoShadows);
   const BruteForceLight::Tubes tubes(stage.Mapper->GetModel(), 0.5);
-  std::vector<Seen> pixels = FindSeen(stage, tubes, plain, 17);
-  check(pixels.size() > 60, "enough pixels");
+  std::vector<Seen> pixels = FindSeen(stage, tubes, plain, 41);
+  check(pixels.size() > 70, "enough pixels");
+  const BruteForceLight::Directions sphere = BruteForceLight::MakeSphere(2500);
   ForAll(pixels,
     [&](Seen& seen)
     {
       seen.Truth = 1.0 -
         tubes.GetBlockedPart(seen.Point, BruteForceLight::MakeCone(seen.Normal, Pi, 2500), 15.0);
+      seen.AxisTruth = std::min(1.0, 2.0 - 2.0 * tubes.GetBlockedPart(seen.Axis, sphere, 15.0));
     });
   const Errors tubes64 =
     Judge(pixels, stage.Render(0, Global::HemisphereTubes), plain, "hemispheres by tubes");
-  check(std::abs(tubes64.GetBias()) < 0.01 && tubes64.GetRmse() < 0.04, "hemispheres by tubes");
+  check(std::abs(tubes64.GetBias()) < 0.02 && tubes64.GetRmse() < 0.05, "hemispheres by tubes");
   const Errors densities =
     Judge(pixels, stage.Render(0, Global::HemisphereDensity), plain, "hemispheres by densities");
   check(
     std::abs(densities.GetBias()) < 0.08 && densities.GetRmse() < 0.12, "hemispheres by densities");
-  const Errors sphere =
-    Judge(pixels, stage.Render(0, Global::SphericalOcclusion), plain, "spherical occlusion");
-  check(std::abs(sphere.GetBias()) < 0.15 && sphere.GetRmse() < 0.2, "spherical occlusion");
+  const Errors spherical = Judge(pixels, stage.Render(0, Global::SphericalOcclusion), plain,
+    "spherical occlusion", &Seen::AxisTruth);
+  check(std::abs(spherical.GetBias()) < 0.07 && spherical.GetRmse() < 0.12, "spherical occlusion");
   stage.Light->SetOcclusionSamples(500);
   const Errors tubes500 =
     Judge(pixels, stage.Render(0, Global::HemisphereTubes), plain, "hemispheres by 500 rays");
@@ -212,12 +215,12 @@ void TestShiftedGrid(Checks& check)
     std::string Name;
     int Shadows;
     int Occlusion;
-    double LargestChange;
+    double LargestChange; // of a pixel, on average, of the picture's mean
   };
   for (const Kind& kind :
-    { Kind{ "none", 0, 0, 1e-4 }, Kind{ "soft shadows", Global::SoftShadows, 0, 0.03 },
-      Kind{ "spherical occlusion", 0, Global::SphericalOcclusion, 0.03 },
-      Kind{ "hemispheres by densities", 0, Global::HemisphereDensity, 0.03 } })
+    { Kind{ "none", 0, 0, 1e-4 }, Kind{ "soft shadows", Global::SoftShadows, 0, 0.11 },
+      Kind{ "spherical occlusion", 0, Global::SphericalOcclusion, 0.055 },
+      Kind{ "hemispheres by densities", 0, Global::HemisphereDensity, 0.055 } })
   {
     const Picture a = here.Render(kind.Shadows, kind.Occlusion);
     const Picture b = there.Render(kind.Shadows, kind.Occlusion);
@@ -230,7 +233,8 @@ void TestShiftedGrid(Checks& check)
     const double mean = GetBrightness(b) / whole - 1.0;
     std::cout << "shifted grid, " << kind.Name << ": mean change " << change / whole
               << ", change of the mean " << mean << "\n";
-    check(change / whole < kind.LargestChange, "a shifted grid: " + kind.Name);
+    check(change / whole < kind.LargestChange, "a shifted grid, pixels: " + kind.Name);
+    check(std::abs(mean) < 0.01, "a shifted grid, mean of the picture: " + kind.Name);
   }
 }
 }
