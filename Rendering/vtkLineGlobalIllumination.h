@@ -14,9 +14,8 @@
  * headlights: from the camera's position no shadow is seen. Where headlights are all that there is,
  * as in a renderer that was given no light, a warning says so once.
  * - Hard shadows: a ray to the light is tested against the tubes.
- * - Level shadows: the same against the representative lines of a coarser level
- * (vtkVoxelLineLevel), one per voxel and 2^ShadowLevel times as wide: fewer, wider and more
- * contiguous shadows.
+ * - Level shadows: the same against the representative lines of a coarser level, one per voxel
+ *   and 2^ShadowLevel times as wide (vtkVoxelLineLevel): fewer, wider and more contiguous shadows.
  * - Soft shadows: a cone to the light goes through the densities of the lines
  *   (vtkVoxelLineDensities), each part of its way through the level whose voxels are as wide as the
  *   cone is there. No pattern of single lines remains.
@@ -29,7 +28,7 @@
  *   when the model or the opacity of its lines changes, and not for camera or lights.
  * - Hemisphere by densities, hemisphere by tubes: over the directions above the surface, for each
  *   pixel by OcclusionSamples rays, through densities or against the tubes. They show what
- * spherical occlusion stands for, at many times its cost.
+ *   spherical occlusion stands for, at many times its cost.
  *
  * Occlusion multiplies all light, as vtkSSAOPass does, not just the ambient term, which most scenes
  * of VTK do not use.

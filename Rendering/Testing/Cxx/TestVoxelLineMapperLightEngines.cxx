@@ -35,6 +35,8 @@ void CheckSame(Checks& check, const Case& test, ShadowStage* const stages[2])
   for (int i = 0; i < 2; ++i)
   {
     pictures[i] = stages[i]->Render(test.Shadows, test.Occlusion);
+    check(stages[i]->Mapper->GetEngineInUse() == stages[i]->Mapper->GetEngine(),
+      test.Name + ": the engine that was set");
   }
   const Difference difference = Compare(pictures[0], pictures[1]);
   const double light = GetBrightness(pictures[0]) / GetBrightness(plain);

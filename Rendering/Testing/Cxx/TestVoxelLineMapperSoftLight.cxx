@@ -139,23 +139,18 @@ void TestSoftShadows(Checks& check)
   MediumStage stage(MakeMedium(350, 0.0), 80, 60);
   const Picture plain = stage.Render(Global::NoShadows);
   const BruteForceLight::Tubes tubes(stage.Mapper->GetModel(), 0.5);
-  std::vector<Seen> pixels = FindSeen(stage, tubes, plain, 31);
-  check(pixels.size() > 80, "enough pixels");
-  for (const double degrees : { 10.0, 30.0, 60.0 })
+  std::vector<Seen> pixels = FindSeen(stage, tubes, plain, 41);
+  check(pixels.size() > 70, "enough pixels");
+  for (const double degrees : { 10.0, 60.0 })
   {
     const BruteForceLight::Directions cone = BruteForceLight::MakeCone(
       glm::normalize(glm::dvec3(1.3, 1.0, 2.0)), degrees * Pi / 180.0, 2500);
-    ForAll(pixels,
-      [&](Seen& seen)
-      {
-        seen.Truth = 1.0 - tubes.GetBlockedPart(seen.Point, cone, 1e4);
-        seen.AxisTruth = 1.0 - tubes.GetBlockedPart(seen.Axis, cone, 1e4);
-      });
+    ForAll(
+      pixels, [&](Seen& seen) { seen.Truth = 1.0 - tubes.GetBlockedPart(seen.Point, cone, 1e4); });
     stage.Light->SetShadowConeAngle(degrees);
     const Picture soft = stage.Render(Global::SoftShadows);
     const std::string name = "soft shadows, cone of " + std::to_string(degrees);
     const Errors errors = Judge(pixels, soft, plain, name);
-    Judge(pixels, soft, plain, name + ", from the axis", &Seen::AxisTruth);
     check(std::abs(errors.GetBias()) < 0.05, name + ": mean");
     check(errors.GetRmse() < (degrees < 20.0 ? 0.23 : 0.14), name + ": RMSE");
   }
@@ -186,10 +181,10 @@ void TestHemispheres(Checks& check)
   const Errors spherical = Judge(pixels, stage.Render(0, Global::SphericalOcclusion), plain,
     "spherical occlusion", &Seen::AxisTruth);
   check(std::abs(spherical.GetBias()) < 0.07 && spherical.GetRmse() < 0.12, "spherical occlusion");
-  stage.Light->SetOcclusionSamples(500);
-  const Errors tubes500 =
-    Judge(pixels, stage.Render(0, Global::HemisphereTubes), plain, "hemispheres by 500 rays");
-  check(std::abs(tubes500.GetBias()) < 0.005 && tubes500.GetRmse() < 0.6 * tubes64.GetRmse(),
+  stage.Light->SetOcclusionSamples(400);
+  const Errors tubes400 =
+    Judge(pixels, stage.Render(0, Global::HemisphereTubes), plain, "hemispheres by 400 rays");
+  check(std::abs(tubes400.GetBias()) < 0.005 && tubes400.GetRmse() < 0.6 * tubes64.GetRmse(),
     "more rays, a smaller error");
 }
 

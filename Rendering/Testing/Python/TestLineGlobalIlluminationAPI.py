@@ -78,7 +78,7 @@ window.AddRenderer(renderer)
 def brightness():
     window.Render()
     pixels = vtkUnsignedCharArray()
-    window.GetPixelData(0, 0, 59, 59, 0, pixels)
+    window.GetPixelData(0, 0, 59, 59, 0, pixels, 0)
     return sum(pixels.GetValue(i) for i in range(pixels.GetNumberOfValues()))
 
 
