@@ -14,8 +14,8 @@
  * headlights: from the camera's position no shadow is seen. Where headlights are all that there is,
  * as in a renderer that was given no light, a warning says so once.
  * - Hard shadows: a ray to the light is tested against the tubes.
- * - Level shadows: the same against the representative lines of a coarser level (vtkVoxelLineLevel),
- *   one per voxel and 2^ShadowLevel times as wide: fewer, wider and more contiguous shadows.
+ * - Level shadows: the same against the representative lines of a coarser level, one per voxel
+ *   and 2^ShadowLevel times as wide (vtkVoxelLineLevel): fewer, wider and more contiguous shadows.
  * - Soft shadows: a cone to the light goes through the densities of the lines
  *   (vtkVoxelLineDensities), each part of its way through the level whose voxels are as wide as the
  *   cone is there. No pattern of single lines remains.
@@ -27,8 +27,8 @@
  *   computed once per voxel, by cones through the densities, and interpolated. It is computed again
  *   when the model or the opacity of its lines changes, and not for camera or lights.
  * - Hemisphere by densities, hemisphere by tubes: over the directions above the surface, for each
- *   pixel by OcclusionSamples rays, through densities or against the tubes. They show what spherical
- *   occlusion stands for, at many times its cost.
+ *   pixel by OcclusionSamples rays, through densities or against the tubes. They show what
+ *   spherical occlusion stands for, at many times its cost.
  *
  * Occlusion multiplies all light, as vtkSSAOPass does, not just the ambient term, which most scenes
  * of VTK do not use.
@@ -36,8 +36,12 @@
  * <b>Densities and opacity.</b> Lines that are spread at random with density d (length times
  * opacity per volume) and radius r let the part exp(-d 2r pi/4) per unit of length through, where
  * pi/4 is the mean of the sine of the angle between a line and the ray. That is what densities
- * are taken for, rather than for opacities as in the paper, so that wider tubes cast deeper shadows,
- * and results can be held against rays through the tubes themselves.
+ * are taken for, rather than for opacities as in the paper, so that wider tubes cast deeper
+ * shadows, and results can be held against rays through the tubes themselves.
+ *
+ * <b>Clipping planes</b> of the mapper cut off shadows and occlusion of hemispheres: a line that is
+ * clipped takes no light from others. Spherical occlusion, which belongs to the model, does not
+ * know them.
  *
  * @sa vtkVoxelLineMapper vtkLineIllumination vtkVoxelLineDensities vtkVoxelLineLevel
  */
@@ -87,9 +91,9 @@ public:
 
   ///@{
   /**
-   * Level of detail whose representative lines cast level shadows, from 1 to 12; where the model has
-   * fewer levels, its coarsest one is taken. Default 1, as in the paper. A value out of range is an
-   * error.
+   * Level of detail whose representative lines cast level shadows, from 1 to 12; where the model
+   * has fewer levels, its coarsest one is taken. Default 1, as in the paper. A value out of range
+   * is an error.
    */
   virtual void SetShadowLevel(int level);
   vtkGetMacro(ShadowLevel, int);
@@ -98,7 +102,9 @@ public:
   ///@{
   /**
    * Full opening angle of the cones of soft shadows, in degrees, 0 to 60: how large the light seems
-   * to be. The wider, the softer, and the faster. Default 10. A value out of range is an error.
+   * to be. The wider, the softer, and the faster. Above about 28 degrees shadows get no softer any
+   * more: coarser densities so near to a point would count lines behind it. Default 10. A value
+   * out of range is an error.
    */
   virtual void SetShadowConeAngle(double degrees);
   vtkGetMacro(ShadowConeAngle, double);

@@ -26,6 +26,24 @@ constexpr double MeanSine = 0.25 * 3.14159265358979323846;
 
 using Illumination = vtkLineGlobalIllumination;
 
+/// A light's position (w = 1) or the direction to it (w = 0), seen from the grid; w = -1: it has
+/// neither, and so no shadow.
+glm::dvec4 FindLight(const vtkLineSetsLight& light, const glm::dmat4& localFromView)
+{
+  const bool isPositional = light.Kind == 1 || light.Kind == 2;
+  const glm::dvec4 found = isPositional
+    ? localFromView * glm::dvec4(glm::dvec3(light.Position), 1.0)
+    : localFromView * glm::dvec4(-glm::dvec3(light.Direction), 0.0);
+  const double size = glm::length(glm::dvec3(found));
+  if (!std::isfinite(size) || (size == 0.0 && !isPositional))
+  {
+    // Its focal point is its position, or it is nowhere.
+    return glm::dvec4(0.0, 0.0, 0.0, -1.0);
+  }
+  return isPositional ? glm::dvec4(glm::dvec3(found), 1.0)
+                      : glm::dvec4(glm::dvec3(found) / size, 0.0);
+}
+
 /// The lights as seen from the grid. Returns whether any of them casts shadows.
 bool SetLights(vtkVoxelLineFrame& frame)
 {
@@ -34,19 +52,9 @@ bool SetLights(vtkVoxelLineFrame& frame)
   frame.Global.Lights.clear();
   for (const vtkLineSetsLight& light : frame.Light.Lights)
   {
-    glm::dvec4 local(0.0, 0.0, 0.0, -1.0);
-    if (light.CastsShadow && (light.Kind == 1 || light.Kind == 2))
-    {
-      const glm::dvec4 position = localFromView * glm::dvec4(glm::dvec3(light.Position), 1.0);
-      local = glm::dvec4(glm::dvec3(position), 1.0);
-    }
-    else if (light.CastsShadow)
-    {
-      const glm::dvec4 way = localFromView * glm::dvec4(-glm::dvec3(light.Direction), 0.0);
-      local = glm::dvec4(glm::normalize(glm::dvec3(way)), 0.0);
-    }
-    any = any || local.w >= 0.0;
-    frame.Global.Lights.emplace_back(local);
+    any = any || light.CastsShadow;
+    frame.Global.Lights.emplace_back(
+      light.CastsShadow ? FindLight(light, localFromView) : glm::dvec4(0.0, 0.0, 0.0, -1.0));
   }
   return any;
 }

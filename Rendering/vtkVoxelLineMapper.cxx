@@ -372,6 +372,12 @@ double vtkVoxelLineMapper::GetRadiusInUse()
 }
 
 //------------------------------------------------------------------------------
+double vtkVoxelLineMapper::GetLightBuildTime()
+{
+  return this->Internals->Painter.GetLightBuildTime();
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkVoxelLineMapper::GetNumberOfPictures()
 {
   return this->Internals->Painter.GetNumberOfPictures();
@@ -557,6 +563,7 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Internals->GlobalIllumination->PrintSelf(os, indent.GetNextIndent());
   os << indent << "EngineInUse: " << this->EngineInUse << "\n";
   os << indent << "ModelBuildTime: " << this->ModelBuildTime << "\n";
+  os << indent << "LightBuildTime: " << this->GetLightBuildTime() << "\n";
   os << indent << "NumberOfPictures: " << this->GetNumberOfPictures() << "\n";
   os << indent << "GraphicsMemory: " << this->GetGraphicsMemory() << "\n";
   os << indent << "Model: ";

@@ -318,6 +318,14 @@ public:
   vtkGetMacro(ModelBuildTime, double);
 
   /**
+   * Seconds spent on what shadows and ambient occlusion are looked up in (densities, occlusion of
+   * voxels, the lines of a level), the last time that any of it had to be computed; 0 before. It is
+   * computed when a frame needs it and the model, its opacity or a parameter changed, but not for
+   * camera or lights.
+   */
+  double GetLightBuildTime();
+
+  /**
    * Number of pictures ray cast so far. In a frame there is one, however often a render pass draws
    * the mapper in it, and none where a mean of AccumulationFrames is replayed; pictures of
    * selections do not count.

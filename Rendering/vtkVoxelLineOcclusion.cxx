@@ -445,7 +445,12 @@ bool vtkVoxelLineOcclusion::Build(vtkVoxelLineModel* model, vtkVoxelLineDensitie
   {
     const vtkVoxelLineSegments::Reader reader(model);
     const Grid grid(model, densities);
-    const std::vector<Cone> cones = MakeCones(radius, extinction, densities->GetNumberOfLevels());
+    // Beyond the grid's diagonal there is nothing: cones, and what is copied around a brick for
+    // them, need not reach farther.
+    const int* size = model->GetDimensions();
+    const double farthest = 2.0 * std::max({ size[0], size[1], size[2] });
+    const std::vector<Cone> cones =
+      MakeCones(std::min(radius, farthest), extinction, densities->GetNumberOfLevels());
     for (vtkIdType round = 0; round < NumberOfRounds; ++round)
     {
       vtkSMPTools::For(round * bricks / NumberOfRounds, (round + 1) * bricks / NumberOfRounds,

@@ -224,6 +224,11 @@ void vtkVoxelLinePainter::UpdateLight(
   const Scene& scene, vtkVoxelLineFrame& frame, Warnings& warnings)
 {
   vtkVoxelLineMapper* mapper = scene.Mapper;
+  if (mapper->GetAbortExecute() != 0)
+  {
+    // What was stopped in an earlier frame begins anew, as an executive has it.
+    mapper->SetAbortExecute(0);
+  }
   const std::string problem =
     this->LightFields.Update(frame, scene.Model, mapper->GetGlobalIllumination(),
       [mapper](double done)

@@ -88,6 +88,9 @@ public:
   /// Number of pictures ray cast so far; replays and selections do not count.
   vtkIdType GetNumberOfPictures() const { return this->NumberOfPictures; }
 
+  /// Seconds spent on what shadows and ambient occlusion are looked up in, the last time.
+  double GetLightBuildTime() const { return this->LightFields.GetBuildTime(); }
+
   /// Number of pictures whose mean was drawn last; 0 where nothing was drawn.
   int GetNumberOfAccumulatedPictures() const;
 

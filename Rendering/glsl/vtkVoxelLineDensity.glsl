@@ -136,7 +136,8 @@ Real gridExit(vec3 origin, vec3 direction)
 
 // Optical depth of the lines from start to end of a cone. It is a voxel wide, and spread times its
 // length. Each step is as long as a voxel of the level whose voxels are about as wide as the cone is
-// there.
+// there. Interpolated densities reach out by one and a half voxels: no level is taken so near to the
+// start that lines behind it would count.
 Real coneDepth(vec3 origin, vec3 direction, Real start, Real end, Real spread)
 {
   Real limit = DarkDepth / max(Extinction, Real(1e-20));
@@ -150,7 +151,7 @@ Real coneDepth(vec3 origin, vec3 direction, Real start, Real end, Real spread)
   bool mayBeEmpty = true;
   while (t < last && depth < limit)
   {
-    while (level + 1 < DensityLevels && Real(1) + spread * t >= Real(2) * edge)
+    while (level + 1 < DensityLevels && Real(1) + spread * t >= Real(2) * edge && t >= Real(3) * edge)
     {
       level = level + 1;
       size = levelSize(level);

@@ -7,13 +7,25 @@
 //
 // The engine supplies Shadows and Occlusion (vtkLineGlobalIllumination's types); LocalLights[], a
 // direction to the light (w = 0) or its position (w = 1), grid-local, or w = -1 for a light that
-// casts no shadow; ConeSpread, ConeStart, OcclusionRadius, OcclusionSamples, OcclusionStrength; and
+// casts no shadow; PlaneCount and Planes[] of the frame; ConeSpread, ConeStart, OcclusionRadius, OcclusionSamples, OcclusionStrength; and
 // Real fetchOcclusion(int), occlusion of voxels as vtkVoxelLineOcclusion tells.
 
 // The point in question, grid-local: on the tube, its normal, and on the axis next to it.
 vec3 ShadedPoint;
 vec3 ShadedNormal;
 vec3 ShadedAxis;
+
+// How far a ray goes until a clipping plane cuts it off: what is clipped takes no light.
+Real keptWay(vec3 origin, vec3 direction, Real end)
+{
+  for (int i = 0; i < PlaneCount; ++i)
+  {
+    Real towards = dot(vec3(Planes[i]), direction);
+    Real height = dot(vec3(Planes[i]), origin) + Planes[i].w;
+    end = towards < Real(0) ? min(end, max(height, Real(0)) / -towards) : end;
+  }
+  return end;
+}
 
 // Part of light i that arrives.
 Real lightVisibility(int i)
@@ -27,23 +39,25 @@ Real lightVisibility(int i)
   {
     return Real(1);
   }
+  vec3 origin = Shadows == 1 ? ShadedPoint : ShadedAxis;
   vec3 way = vec3(light);
   Real distance = Beyond;
   if (light.w > Real(0))
   {
-    way = way - (Shadows == 1 ? ShadedPoint : ShadedAxis);
+    way = way - origin;
     distance = length(way);
     way = way / max(distance, Real(1e-6));
   }
+  distance = keptWay(origin, way, distance);
   if (Shadows == 1)
   {
-    return transmittance(ShadedPoint, way, distance);
+    return transmittance(origin, way, distance);
   }
   if (Shadows == 2)
   {
-    return levelTransmittance(ShadedAxis, way, distance);
+    return levelTransmittance(origin, way, distance);
   }
-  return exp(-coneDepth(ShadedAxis, way, ConeStart, distance, ConeSpread));
+  return exp(-coneDepth(origin, way, ConeStart, distance, ConeSpread));
 }
 
 Real mixOcclusions(int first, vec3 part)
@@ -116,9 +130,10 @@ Real hemisphereOcclusion()
   for (int i = 0; i < OcclusionSamples; ++i)
   {
     vec3 direction = hemisphereDirection(i, ShadedNormal);
+    Real end = keptWay(ShadedPoint, direction, OcclusionRadius);
     sum += Real(1) - (Occlusion == 3
-      ? transmittance(ShadedPoint, direction, OcclusionRadius)
-      : exp(-coneDepth(ShadedPoint, direction, Real(0.5), OcclusionRadius, Real(0))));
+      ? transmittance(ShadedPoint, direction, end)
+      : exp(-coneDepth(ShadedPoint, direction, Real(0.5), end, Real(0))));
   }
   return sum / Real(OcclusionSamples);
 }

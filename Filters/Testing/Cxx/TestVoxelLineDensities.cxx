@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Guards vtkVoxelLineDensities: the densities of all levels are what a direct sum over the segments
- * gives, with constant opacity, with a table by attribute, with NaN, and with direct colours, on
- * grids of odd sizes, of a single voxel and of none; a change of opacity gives the same as a new
- * build; threads change nothing; and sampling is trilinear. And that vtkVoxelLineDensity hands out
- * each level in its place.
+ * gives, with constant opacity, with a table by attribute, with NaN, with direct colours, and with
+ * radii, on grids of odd sizes, of a single voxel and of none; a change of opacity gives the same
+ * as a new build; threads change nothing; and sampling is trilinear. And that vtkVoxelLineDensity
+ * hands out each level in its place.
  */
 
 #include "VoxelLineTesting.h"
@@ -257,6 +257,63 @@ void TestColors(Checks& check)
   check(densities->Build(model), "build");
   CompareWithSums(
     check, "colours without opacity", model, densities, [](vtkIdType) { return 0.5; });
+}
+
+/// A model with one radius per point.
+vtkSmartPointer<vtkVoxelLineModel> MakeModelWithRadii(
+  Checks& check, vtkPolyData* lines, const std::function<double(vtkIdType)>& radiusOf)
+{
+  vtkNew<vtkFloatArray> radii;
+  radii->SetName("Radii");
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+  {
+    radii->InsertNextValue(static_cast<float>(radiusOf(i)));
+  }
+  lines->GetPointData()->AddArray(radii);
+  vtkNew<vtkLineVoxelizer> voxelizer;
+  voxelizer->SetInputData(lines);
+  voxelizer->SetResolution(19);
+  voxelizer->SetRadiusArrayName("Radii");
+  vtkNew<MessageObserver> observer;
+  vtkSmartPointer<vtkVoxelLineModel> model = Update(voxelizer, observer);
+  check(!observer->GetError() && model->GetRadii() != nullptr, "a model with radii");
+  return model;
+}
+
+void TestRadii(Checks& check)
+{
+  vtkSmartPointer<vtkVoxelLineModel> model = MakeModelWithRadii(check, MakeInput(),
+    [](vtkIdType i) { return 0.01 + 0.009 * std::sin(0.4 * static_cast<double>(i)); });
+  vtkNew<vtkVoxelLineDensities> densities;
+  check(!densities->GetUseRadii(), "radii do not count by default");
+  densities->SetOpacity(0.5);
+  check(densities->Build(model), "build");
+  CompareWithSums(check, "radii, off", model, densities, [](vtkIdType) { return 0.5; });
+  const vtkMTimeType time = densities->GetBuildTime();
+  densities->UseRadiiOn();
+  check(densities->Build(model) && densities->GetBuildTime() > time, "a change builds again");
+  vtkUnsignedCharArray* bytes = model->GetRadii();
+  CompareWithSums(check, "radii", model, densities,
+    [bytes](vtkIdType i)
+    { return 0.5 * 0.5 * (bytes->GetValue(2 * i) + bytes->GetValue(2 * i + 1)) / 255.0; });
+  std::ostringstream os;
+  densities->Print(os);
+  check(os.str().find("UseRadii: On") != std::string::npos, "PrintSelf tells it");
+
+  // A cone, seen from the side: a trapezoid, whose area the densities tell.
+  model = MakeModelWithRadii(check, MakeLines({ { { 0.0, 0.0, 0.0 }, { 3.0, 0.0, 0.0 } } }),
+    [](vtkIdType i) { return i == 0 ? 0.1 : 0.4; });
+  densities->SetOpacity(1.0);
+  check(densities->Build(model), "build");
+  const int top = densities->GetNumberOfLevels() - 1;
+  const double area = densities->GetVoxel(top, 0, 0, 0) * std::pow(8.0, top) *
+    model->GetVoxelSize() * 2.0 * model->GetMaximumRadius();
+  check(std::abs(area / 1.5 - 1.0) < 0.01, "the area of a cone, not " + std::to_string(area));
+
+  // Without radii in the model there is no difference.
+  model = MakeModel(check, MakeInput(), 19, 32);
+  densities->Build(model);
+  CompareWithSums(check, "no radii", model, densities, [](vtkIdType) { return 1.0; });
 }
 
 /// All values of all levels.
@@ -542,6 +599,7 @@ int TestVoxelLineDensities(int, char*[])
   TestConstant(check);
   TestTable(check);
   TestColors(check);
+  TestRadii(check);
   TestChanges(check);
   TestThreads(check);
   TestSampling(check);
