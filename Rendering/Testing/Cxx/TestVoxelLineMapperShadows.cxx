@@ -7,7 +7,8 @@
 //   elsewhere; what lies behind a positional light casts none; that of a level lies near the same
 //   place and is wider,
 // - soft shadows lie within half a voxel of the level that a cone looks into, which is 2 voxels of
-//   the model here, and in the right place on average; they are wider, the wider the cone,
+//   the model here, and in the right place on average (measured: 0.4 voxels off); they are wider,
+//   the wider the cone; a flat floor does not shadow itself, whatever the cone,
 // - transparent bars let 1 - opacity through; narrow bars of a model with radii cast narrow
 // shadows,
 // - lines that are thinner than a pixel or lit as lines are shadowed too; what is clipped casts no
