@@ -7,7 +7,8 @@
 //   elsewhere; what lies behind a positional light casts none; that of a level lies near the same
 //   place and is wider,
 // - soft shadows lie within half a voxel of the level that a cone looks into, which is 2 voxels of
-//   the model here, and in the right place on average; they are wider, the wider the cone,
+//   the model here, and in the right place on average (measured: 0.4 voxels off); they are wider,
+//   the wider the cone; a flat floor does not shadow itself, whatever the cone,
 // - transparent bars let 1 - opacity through; narrow bars of a model with radii cast narrow
 // shadows,
 // - lines that are thinner than a pixel or lit as lines are shadowed too; what is clipped casts no
@@ -175,19 +176,20 @@ void TestSoftness(Checks& check)
 void TestNoShadows(Checks& check, Messages* messages)
 {
   const auto lines = MakeLines(MakeFloor(true));
-  // Between the floor and the bar, and above it. Far away the floor shadows itself.
-  const Point below{ 0.15, 0.0, 0.4 };
+  // Between the floor and the bar, where the ray goes on to the bar, and above it. Far away the
+  // floor shadows itself.
+  const Point below{ 0.04, 0.0, 0.4 };
   const Point above{ 0.15, 0.0, 0.8 };
   ShadowStage stage(lines, MakeLight(below, true));
   for (const int kind : { Global::HardShadows, Global::LevelShadows, Global::SoftShadows })
   {
     const std::string name = " of kind " + std::to_string(kind);
     stage.SetLight(MakeLight(below, true));
-    const ShadowProfile none(
-      GetLoss(stage.Render(kind), stage.Render(Global::NoShadows)), 75.0, 20.0);
+    const ShadowProfile none(GetLoss(stage.Render(kind), stage.Render(Global::NoShadows)),
+      stage.GetColumn(0.19, FloorHeight), 10.0);
     stage.SetLight(MakeLight(above, true));
     const ShadowProfile some(
-      GetLoss(stage.Render(kind), stage.Render(Global::NoShadows)), 75.0, 20.0);
+      GetLoss(stage.Render(kind), stage.Render(Global::NoShadows)), 70.0, 20.0);
     std::cout << "light below the bar: " << none.Describe() << "; above: " << some.Describe()
               << "\n";
     // Densities lie within a voxel of the level that a cone looks into: some are before the light.

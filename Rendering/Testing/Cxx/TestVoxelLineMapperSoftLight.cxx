@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Guards what soft shadows and ambient occlusion leave of the light, by pixels of pictures of
-// random straight lines against 2500 rays through the tubes in double precision:
-// - soft shadows, over the cone of ShadowConeAngle,
-// - occlusion of the hemisphere above the surface, by tubes and by densities, and of the sphere
-//   about the axis, which leaves min(1, 2 (1 - occlusion)),
-// - and that light does not depend on where the voxels lie: a grid shifted by half a voxel.
+// random straight lines against 2500 rays through the tubes in double precision. In brackets what
+// was measured, of light from 0 to 1; bounds have some margin.
+// - soft shadows, over the cone of ShadowConeAngle (10 degrees: bias +0.02, RMSE 0.20, as light of
+//   so narrow a cone depends on single lines; 30: +0.01, 0.11; 60: +0.03, 0.09),
+// - occlusion of the hemisphere above the surface by 64 rays through the tubes (bias 0.01, RMSE
+//   0.04; by 400 RMSE 0.01) and through densities (bias +0.05, RMSE 0.07), and of the sphere about
+//   the axis, which leaves min(1, 2 (1 - occlusion)) (bias +0.03, RMSE 0.07),
+// - and that light does not depend on where the voxels lie: a grid shifted by half a voxel changes
+//   the mean of the picture by 0.2 % (soft shadows), 0.15 % (spherical) and 0.2 % (hemisphere by
+//   densities), single pixels on average by 8.6, 4.0 and 4.0 % of that mean.
 #include "BruteForceLight.h"
 #include "ShadowTesting.h"
 #include "ViewRays.h"

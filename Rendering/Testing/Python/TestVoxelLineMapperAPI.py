@@ -38,6 +38,7 @@ assert mapper.GetEarlyTermination() == 0.99 and mapper.GetOpacityAcceleration() 
 assert mapper.GetEngine() == vtkVoxelLineMapper.Automatic
 assert mapper.GetEngineInUse() == vtkVoxelLineMapper.Automatic
 assert mapper.GetModel() is None and mapper.GetModelBuildTime() == 0.0
+assert mapper.GetLightBuildTime() == 0.0
 assert mapper.GetAccumulationFrames() == 1 and mapper.GetNumberOfAccumulatedPictures() == 0
 assert mapper.GetNumberOfPictures() == 0 and mapper.GetGraphicsMemory() == 0
 
