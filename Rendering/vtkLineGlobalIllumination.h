@@ -102,7 +102,7 @@ public:
   ///@{
   /**
    * Full opening angle of the cones of soft shadows, in degrees, 0 to 60: how large the light seems
-   * to be. The wider, the softer, and the faster. Above about 28 degrees shadows get no softer any
+   * to be. The wider, the softer, and the faster. Above about 37 degrees shadows get no softer any
    * more: coarser densities so near to a point would count lines behind it. Default 10. A value
    * out of range is an error.
    */

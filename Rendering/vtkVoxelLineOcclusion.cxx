@@ -159,7 +159,7 @@ public:
   Surroundings(const Grid& grid, int level, int reach, int first)
     : Source(grid)
     , Level(level)
-    , Margin((reach >> level) + 1)
+    , Margin((reach + (1 << level) - 1) >> level)
     , Size((BrickSize >> level) + 2 * this->Margin)
     , First(first)
   {
@@ -295,7 +295,7 @@ public:
    * Part of the light that does not reach a line in a voxel of the brick. Of the lines in the voxel
    * itself, the others count, which is all but one part in segments.
    */
-  double GetOcclusion(const int voxel[3], int bit, vtkIdType segments) const
+  float GetOcclusion(const int voxel[3], int bit, vtkIdType segments) const
   {
     const float* values = this->Values.data();
     const float own = values[this->Near[0].GetIndex(bit % 4, bit / 4 % 4, bit / 16)];
@@ -314,7 +314,8 @@ public:
       index += count;
       light += cone.Weight * this->Source.Light(depth);
     }
-    return 1.0 - static_cast<double>(light);
+    // Weights may add up to a little more than 1.
+    return std::max(1.0f - light, 0.0f);
   }
 
 private:
@@ -342,39 +343,47 @@ private:
   std::size_t IndicesPerVoxel = 0;
 };
 
-/// Mean of the values around a voxel of a brick; below 0 where there are none.
-double GetMeanOfNeighbors(const std::array<double, VoxelsPerBrick>& values, int bit)
+using BrickValues = std::array<float, VoxelsPerBrick>;
+
+/// Each value becomes the sum of itself and its neighbours along an axis of the brick.
+void AddNeighbors(BrickValues& values, std::size_t stride)
 {
-  const int voxel[3] = { bit % 4, bit / 4 % 4, bit / 16 };
-  double sum = 0.0;
-  int count = 0;
-  for (int z = std::max(voxel[2] - 1, 0); z <= std::min(voxel[2] + 1, 3); ++z)
+  for (std::size_t first = 0; first < values.size(); ++first)
   {
-    for (int y = std::max(voxel[1] - 1, 0); y <= std::min(voxel[1] + 1, 3); ++y)
+    if (first / stride % 4 == 0)
     {
-      for (int x = std::max(voxel[0] - 1, 0); x <= std::min(voxel[0] + 1, 3); ++x)
-      {
-        const double value = values[static_cast<std::size_t>(x + 4 * y + 16 * z)];
-        sum += value >= 0.0 ? value : 0.0;
-        count += value >= 0.0 ? 1 : 0;
-      }
+      const float v[4] = { values[first], values[first + stride], values[first + 2 * stride],
+        values[first + 3 * stride] };
+      values[first] = v[0] + v[1];
+      values[first + stride] = v[0] + v[1] + v[2];
+      values[first + 2 * stride] = v[1] + v[2] + v[3];
+      values[first + 3 * stride] = v[2] + v[3];
     }
   }
-  return count > 0 ? sum / count : -1.0;
 }
 
-/// Give the voxels of a brick that have no value, below 0, that of their neighbours.
-void FillGaps(std::array<double, VoxelsPerBrick>& values)
+/// Give the voxels of a brick that have no value, below 0, the mean of the 26 around them.
+void FillGaps(BrickValues& values)
 {
-  // No voxel of a brick is farther than three from any other.
-  for (int round = 0; round < 3; ++round)
+  const auto isGap = [](float value) { return value < 0.0f; };
+  while (std::any_of(values.begin(), values.end(), isGap))
   {
-    const std::array<double, VoxelsPerBrick> before = values;
-    for (int bit = 0; bit < VoxelsPerBrick; ++bit)
+    BrickValues sums;
+    BrickValues counts;
+    std::transform(values.begin(), values.end(), sums.begin(),
+      [](float value) { return std::max(value, 0.0f); });
+    std::transform(values.begin(), values.end(), counts.begin(),
+      [&](float value) { return isGap(value) ? 0.0f : 1.0f; });
+    for (const std::size_t stride : { 1, 4, 16 })
     {
-      if (before[static_cast<std::size_t>(bit)] < 0.0)
+      AddNeighbors(sums, stride);
+      AddNeighbors(counts, stride);
+    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      if (isGap(values[i]) && counts[i] > 0.0f)
       {
-        values[static_cast<std::size_t>(bit)] = GetMeanOfNeighbors(before, bit);
+        values[i] = sums[i] / counts[i];
       }
     }
   }
@@ -400,8 +409,8 @@ bool IsSparse(const vtkVoxelLineSegments::Reader& reader, vtkIdType brick)
 void ComputeBrick(const vtkVoxelLineSegments::Reader& reader, vtkIdType brick, Follower& follower,
   std::uint8_t* bytes)
 {
-  std::array<double, VoxelsPerBrick> values;
-  values.fill(-1.0);
+  BrickValues values;
+  values.fill(-1.0f);
   const bool isSparse = IsSparse(reader, brick);
   bool isFirst = true;
   // Two rounds where voxels are left out, since all of a brick's may be of the kind left out.
@@ -426,7 +435,7 @@ void ComputeBrick(const vtkVoxelLineSegments::Reader& reader, vtkIdType brick, F
   }
   FillGaps(values);
   std::transform(values.begin(), values.end(), bytes,
-    [](double value) { return static_cast<std::uint8_t>(255.0 * value + 0.5); });
+    [](float value) { return static_cast<std::uint8_t>(255.0f * value + 0.5f); });
 }
 }
 
