@@ -45,6 +45,8 @@ struct Cone
   /// Optical depth from the centre of the voxel to its border for a density of 1.
   float OwnDepth;
   std::vector<Step> Steps;
+  /// Number of steps, the first ones, that look into local levels.
+  std::size_t NumberOfNearSteps = 0;
 };
 
 /// pitch is the distance from voxel to voxel along the direction: where the cone is narrow it looks
@@ -59,20 +61,25 @@ Cone MakeCone(const double direction[3], double pitch, double weight, double rad
   cone.OwnDepth = static_cast<float>(std::min(t, radius) * extinction);
   while (t < radius)
   {
-    while (level + 1 < levels && ConeSpread * t >= std::ldexp(2.0, level))
+    // Voxels of the levels beyond the local ones are looked up one by one, and later therefore.
+    while (level + 1 < levels &&
+      ConeSpread * t >= std::ldexp(level + 1 < NumberOfLocalLevels ? 2.0 : 3.0, level))
     {
       ++level;
     }
-    const double way = level == 0 ? pitch : std::ldexp(1.0, level);
+    double way = level == 0 ? pitch : std::ldexp(1.0, level);
     const double middle = t + 0.5 * way;
+    // No step for less than half a voxel at the end.
+    way = t + 1.5 * way > radius ? radius - t : way;
     Step step;
     for (int axis = 0; axis < 3; ++axis)
     {
       step.Offset[axis] = static_cast<int>(std::floor(direction[axis] * middle + 0.5));
     }
     step.Level = level;
-    step.Depth = static_cast<float>(std::min(way, radius - t) * extinction);
+    step.Depth = static_cast<float>(way * extinction);
     cone.Steps.push_back(step);
+    cone.NumberOfNearSteps += level < NumberOfLocalLevels ? 1 : 0;
     t += way;
   }
   return cone;
@@ -271,12 +278,12 @@ public:
     {
       for (const Cone& cone : cones)
       {
-        for (const Step& step : cone.Steps)
+        for (std::size_t i = 0; i < cone.NumberOfNearSteps; ++i)
         {
-          this->Indices.push_back(step.Level < levels
-              ? this->Near[static_cast<std::size_t>(step.Level)].GetIndex(
-                  bit % 4 + step.Offset[0], bit / 4 % 4 + step.Offset[1], bit / 16 + step.Offset[2])
-              : -1);
+          const Step& step = cone.Steps[i];
+          this->Indices.push_back(
+            static_cast<std::uint16_t>(this->Near[static_cast<std::size_t>(step.Level)].GetIndex(
+              bit % 4 + step.Offset[0], bit / 4 % 4 + step.Offset[1], bit / 16 + step.Offset[2])));
         }
       }
     }
@@ -300,18 +307,23 @@ public:
     const float* values = this->Values.data();
     const float own = values[this->Near[0].GetIndex(bit % 4, bit / 4 % 4, bit / 16)];
     const float others = OwnPart * (own - own / static_cast<float>(segments));
-    const int* index = this->Indices.data() + this->IndicesPerVoxel * static_cast<std::size_t>(bit);
+    const std::uint16_t* index =
+      this->Indices.data() + this->IndicesPerVoxel * static_cast<std::size_t>(bit);
     float light = 0.0f;
     for (const Cone& cone : this->Cones)
     {
       float depth = cone.OwnDepth * others;
-      const std::size_t count = cone.Steps.size();
-      for (std::size_t i = 0; i < count && depth < DarkDepth; ++i)
+      const Step* steps = cone.Steps.data();
+      const std::size_t near = cone.NumberOfNearSteps;
+      for (std::size_t i = 0; i < near; ++i)
       {
-        const Step& step = cone.Steps[i];
-        depth += step.Depth * (index[i] >= 0 ? values[index[i]] : this->GetFarDensity(voxel, step));
+        depth += steps[i].Depth * values[index[i]];
       }
-      index += count;
+      index += near;
+      for (std::size_t i = near; i < cone.Steps.size() && depth < DarkDepth; ++i)
+      {
+        depth += steps[i].Depth * this->GetFarDensity(voxel, steps[i]);
+      }
       light += cone.Weight * this->Source.Light(depth);
     }
     // Weights may add up to a little more than 1.
@@ -339,7 +351,7 @@ private:
   const std::vector<Cone>& Cones;
   std::vector<Surroundings> Near;
   std::vector<float> Values;
-  std::vector<int> Indices;
+  std::vector<std::uint16_t> Indices;
   std::size_t IndicesPerVoxel = 0;
 };
 
