@@ -37,6 +37,7 @@
 #include "vtkVoxelLineShading.h"
 #include "vtkVoxelLineShadow.h"
 #include "vtkVoxelLineSlabs.h"
+#include "vtkVoxelLineSoftLight.h"
 #include "vtkVoxelLineTraversal.h"
 #include "vtkVoxelLineVertex.h"
 
@@ -297,8 +298,9 @@ bool vtkVoxelLineShaderEngine::Internals::PrepareQuad(vtkOpenGLRenderWindow* win
     std::string source = std::string("//VTK::System::Dec\n//VTK::Output::Dec\n") +
       vtkVoxelLineFetch + vtkVoxelLinePacking + vtkVoxelLineCapsule + vtkVoxelLineRay +
       vtkVoxelLineSegment + vtkVoxelLineOccluder + vtkVoxelLineHits + vtkVoxelLineSlabs +
-      vtkVoxelLineOcclusionRay + vtkVoxelLineDensity + vtkVoxelLineShadow + vtkVoxelLineShading +
-      vtkVoxelLineLayers + vtkVoxelLineTraversal + vtkVoxelLinePixel + vtkVoxelLineFragment;
+      vtkVoxelLineOcclusionRay + vtkVoxelLineDensity + vtkVoxelLineSoftLight + vtkVoxelLineShadow +
+      vtkVoxelLineShading + vtkVoxelLineLayers + vtkVoxelLineTraversal + vtkVoxelLinePixel +
+      vtkVoxelLineFragment;
     vtkShaderProgram::Substitute(source, "//LineSets::Constants", kind);
     this->Quad.reset();
     if (!window->GetShaderCache()->ReadyShaderProgram(vtkVoxelLineVertex, source.c_str(), ""))
