@@ -27,9 +27,6 @@ constexpr float ConeMargin = 0.75f;
 // the densities of a line reach no farther from it.
 constexpr float DeepestSurface = 1.0f;
 
-// Only this uniform is read by all that is put into shaders.
-constexpr const char* Mark = "GridSize";
-
 // Parts of the lines of VTK's fragment shaders after which, or before which, something goes.
 constexpr const char* Main = "void main(";
 constexpr const char* Lit = "(ambientColor + diffuse + specular, opacity);";
@@ -104,6 +101,13 @@ std::vector<float> GetWeights(const std::vector<vtkLineSetsLight>& lights)
 }
 
 //------------------------------------------------------------------------------
+vtkVoxelLineReceiverShader::vtkVoxelLineReceiverShader(vtkMTimeType number)
+  // A uniform that all of the code reads.
+  : Mark("GridSize" + std::to_string(number))
+{
+}
+
+//------------------------------------------------------------------------------
 void vtkVoxelLineReceiverShader::SetFrame(const vtkVoxelLineFrame& frame,
   const vtkVoxelLineFrameBuilder::View& view, const vtkVoxelLineFrameBuilder::Grid& grid,
   const int viewport[4])
@@ -140,7 +144,8 @@ std::string vtkVoxelLineReceiverShader::GetSource() const
         "#define LineSetsReceiver\n"
         "#define Real float\n"
         "#define LS_OUT(T) out T\n"
-        "#define LS_INOUT(T) inout T\n";
+        "#define LS_INOUT(T) inout T\n"
+     << "#define GridSize " << this->Mark << "\n";
   const auto constant = [&os](const char* name, std::size_t value)
   { os << "const int " << name << " = " << value << ";\n"; };
   constant("Shadows", static_cast<std::size_t>(this->Global.Shadows));
@@ -215,9 +220,9 @@ void vtkVoxelLineReceiverShader::Remove(vtkShaderProperty* property)
 }
 
 //------------------------------------------------------------------------------
-bool vtkVoxelLineReceiverShader::IsUsed(vtkShaderProgram* program)
+bool vtkVoxelLineReceiverShader::IsUsed(vtkShaderProgram* program) const
 {
-  return program && program->IsUniformUsed(Mark);
+  return program && program->IsUniformUsed(this->Mark.c_str());
 }
 
 //------------------------------------------------------------------------------
@@ -244,7 +249,7 @@ void vtkVoxelLineReceiverShader::SetUniforms(vtkShaderProgram* program) const
       program->SetUniformMatrix4x4(name, &value[0][0]);
     }
   };
-  set3("GridSize", this->GridSize);
+  set3(this->Mark.c_str(), this->GridSize);
   // Bricks of 4 voxels.
   set3("BrickGridSize", glm::ceil(0.25f * this->GridSize));
   const int lights = static_cast<int>(this->Global.Lights.size());

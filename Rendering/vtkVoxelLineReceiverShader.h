@@ -32,6 +32,9 @@ class vtkShaderProperty;
 class vtkVoxelLineReceiverShader
 {
 public:
+  /// Code of different numbers is told apart in programs.
+  explicit vtkVoxelLineReceiverShader(vtkMTimeType number);
+
   /// Describe what a frame's global light and view ask for; clip coordinates have the depth range
   /// -1 to 1, and the viewport is that of the framebuffer.
   void SetFrame(const vtkVoxelLineFrame& frame, const vtkVoxelLineFrameBuilder::View& view,
@@ -43,8 +46,8 @@ public:
   /// Take it out.
   static void Remove(vtkShaderProperty* property);
 
-  /// Whether a program holds it.
-  static bool IsUsed(vtkShaderProgram* program);
+  /// Whether a program holds code of this number.
+  bool IsUsed(vtkShaderProgram* program) const;
 
   /// Set the uniforms but for the buffers.
   void SetUniforms(vtkShaderProgram* program) const;
@@ -52,6 +55,7 @@ public:
 private:
   std::string GetSource() const;
 
+  std::string Mark;
   vtkVoxelLineGlobalLight Global;
   std::vector<float> Weights;
   int DensityLevels = 0;

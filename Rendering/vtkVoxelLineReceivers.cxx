@@ -45,14 +45,10 @@ void FindRenderers(vtkProp* prop, std::vector<vtkRenderer*>& renderers)
   }
 }
 
-// Whether a renderer draws where the window draws now.
-bool DrawsIntoViewport(vtkRenderer* renderer)
+// Whether a renderer, whose window is drawn to, has the viewport that is drawn to.
+bool HasViewport(vtkRenderer* renderer)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window || !window->IsCurrent())
-  {
-    return false;
-  }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   int viewport[4] = { 0, 0, 0, 0 };
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   int size[2];
@@ -68,7 +64,8 @@ class vtkVoxelLineReceivers::Receiver
 {
 public:
   Receiver(vtkVoxelLineReceivers* owner, vtkActor* actor)
-    : Owner(owner)
+    : Shader(owner->Number.GetMTime())
+    , Owner(owner)
     , Actor(actor)
   {
     this->Command->SetClientData(this);
@@ -105,6 +102,9 @@ public:
     this->Buffers = buffers;
   }
 
+  /// Set nothing in the draw under way: another actor with the same mapper is drawn.
+  void Pause() { this->Buffers = nullptr; }
+
   /// Receive nothing, by shaders that are as they were.
   void Leave()
   {
@@ -137,7 +137,7 @@ private:
     else if (event == vtkCommand::UpdateShaderEvent)
     {
       auto* shader = static_cast<vtkShaderProgram*>(program);
-      if (this->Buffers && vtkVoxelLineReceiverShader::IsUsed(shader))
+      if (this->Buffers && this->Shader.IsUsed(shader))
       {
         this->Shader.SetUniforms(shader);
         this->Buffers->Activate(shader);
@@ -182,6 +182,7 @@ vtkVoxelLineReceivers::vtkVoxelLineReceivers(Caster caster)
   : Lines(std::move(caster))
   , Nobody(vtkSmartPointer<vtkActor>::New())
 {
+  this->Number.Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -263,7 +264,7 @@ void vtkVoxelLineReceivers::ReleaseGraphicsResources(vtkWindow* window)
 {
   const auto goes = [this, window](const std::unique_ptr<vtkVoxelLineReceiverBuffers>& buffers)
   {
-    const bool isIt = !window || buffers->GetWindow() == window;
+    const bool isIt = !window || !buffers->GetWindow() || buffers->GetWindow() == window;
     for (const auto& receiver : this->Receivers)
     {
       if (isIt)
@@ -294,10 +295,13 @@ vtkRenderer* vtkVoxelLineReceivers::FindRenderer(vtkActor* actor)
   std::vector<vtkRenderer*> renderers;
   FindRenderers(actor, renderers);
   const auto isIdle = [this](vtkRenderer* renderer)
-  { return !renderer->GetRenderWindow() || !this->Frames.IsInFrame(renderer); };
+  {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    return !window || !window->IsCurrent() || !this->Frames.IsInFrame(renderer);
+  };
   renderers.erase(std::remove_if(renderers.begin(), renderers.end(), isIdle), renderers.end());
   // More than one only before they are known: all of them pass for being in a frame then.
-  const auto found = std::find_if(renderers.begin(), renderers.end(), DrawsIntoViewport);
+  const auto found = std::find_if(renderers.begin(), renderers.end(), HasViewport);
   return found != renderers.end() ? *found : renderers.empty() ? nullptr : renderers.front();
 }
 
@@ -311,21 +315,8 @@ vtkVoxelLineReceiverBuffers* vtkVoxelLineReceivers::GetBuffers(vtkOpenGLRenderWi
       return buffers.get();
     }
   }
+  // Also what is left of windows that are gone.
   this->ReleaseGraphicsResources(window);
-  const auto isGone = [](const std::unique_ptr<vtkVoxelLineReceiverBuffers>& buffers)
-  { return !buffers->GetWindow(); };
-  for (const auto& buffers : this->Buffers)
-  {
-    for (const auto& receiver : this->Receivers)
-    {
-      if (isGone(buffers))
-      {
-        receiver->ForgetBuffers(buffers.get());
-      }
-    }
-  }
-  this->Buffers.erase(
-    std::remove_if(this->Buffers.begin(), this->Buffers.end(), isGone), this->Buffers.end());
   this->Buffers.push_back(std::make_unique<vtkVoxelLineReceiverBuffers>(window));
   return this->Buffers.back().get();
 }
@@ -456,8 +447,9 @@ void vtkVoxelLineReceivers::BeginDraw(Receiver& receiver)
 {
   vtkActor* actor = receiver.GetActor();
   vtkRenderer* renderer = actor ? this->FindRenderer(actor) : nullptr;
-  if (!renderer || !vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+  if (!renderer)
   {
+    receiver.Pause();
     return;
   }
   Warnings warnings;

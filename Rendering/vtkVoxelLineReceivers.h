@@ -20,6 +20,7 @@
 #include "vtkLineSetsFrameCounter.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
 #include "vtkVoxelLineReceiverBuffers.h"
 #include "vtkVoxelLineScene.h"
 #include "vtkWeakPointer.h"
@@ -83,6 +84,8 @@ private:
   vtkVoxelLineReceiverBuffers* GetBuffers(vtkOpenGLRenderWindow* window);
   void WatchEnd(vtkRenderer* renderer);
 
+  // Never the same for two objects.
+  vtkTimeStamp Number;
   Caster Lines;
   std::vector<std::unique_ptr<Receiver>> Receivers;
   std::vector<std::unique_ptr<vtkVoxelLineReceiverBuffers>> Buffers;
