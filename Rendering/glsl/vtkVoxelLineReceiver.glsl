@@ -76,7 +76,25 @@ float receivedMean()
   return sum;
 }
 
-// Occlusion where there is no brick to look it up in: by the cones that vtkVoxelLineOcclusion
+// How near a position is to voxels with lines: 1 in such a
+// voxel, 0 from a voxel away on. Other voxels' occlusion is no more than that of a
+// neighbour, which shows on surfaces.
+float isAmongLines(vec3 position)
+{
+  vec3 low = floor(position - vec3(0.5));
+  vec3 part = position - vec3(0.5) - low;
+  float sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    ivec3 side = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
+    vec3 weight = mix(vec3(1.0) - part, part, vec3(side));
+    sum += voxelDensity(ivec3(low) + side, 0, GridDimensions) > 0.0 ? weight.x * weight.y * weight.z : 0.0;
+  }
+  // A position in a voxel has at least an eighth of its weight.
+  return min(8.0 * sum, 1.0);
+}
+
+// Occlusion where there is none to be looked up: by the cones that vtkVoxelLineOcclusion
 // follows, along the axes and the diagonals.
 float coneOcclusion(vec3 position)
 {
@@ -106,15 +124,8 @@ float receivedAmbient()
   }
   if (Occlusion == 1)
   {
-    // Voxels at the border stand for what lies up to half a voxel outside.
-    float outside = length(ShadedAxis - clamp(ShadedAxis, vec3(0.0), GridSize));
-    float known = 0.0;
-    float occlusion = 0.0;
-    if (outside < 1.0)
-    {
-      occlusion = sphericalOcclusion(ShadedAxis, known);
-      known *= 1.0 - outside;
-    }
+    float known = isAmongLines(ShadedAxis);
+    float occlusion = known > 0.0 ? sphericalOcclusion(ShadedAxis) : 0.0;
     return dimmedByOcclusion(
       known < 1.0 ? mix(coneOcclusion(ShadedAxis), occlusion, known) : occlusion);
   }

@@ -51,10 +51,6 @@ Real ambientVisibility()
   {
     return Real(1);
   }
-  if (Occlusion == 1)
-  {
-    Real weights;
-    return dimmedByOcclusion(sphericalOcclusion(ShadedAxis, weights));
-  }
-  return dimmedLight(Real(1) - hemisphereOcclusion());
+  return Occlusion == 1 ? dimmedByOcclusion(sphericalOcclusion(ShadedAxis))
+                        : dimmedLight(Real(1) - hemisphereOcclusion());
 }

@@ -51,9 +51,8 @@ Real mixOcclusions(int first, vec3 part)
   return mix(mix(o00, o10, part.y), mix(o01, o11, part.y), part.z);
 }
 
-// Occlusion of what surrounds a position in the grid, interpolated between the voxels of bricks that
-// hold lines; weights: the part that these have in it.
-Real sphericalOcclusion(vec3 position, LS_OUT(Real) weights)
+// Occlusion of what surrounds a position, interpolated between the voxels of bricks that hold lines.
+Real sphericalOcclusion(vec3 position)
 {
   vec3 x = position - vec3(Real(0.5));
   vec3 low = floor(x);
@@ -64,7 +63,6 @@ Real sphericalOcclusion(vec3 position, LS_OUT(Real) weights)
     voxel.x <= last.x && voxel.y <= last.y && voxel.z <= last.z)
   {
     int brick = brickGridAt(voxel);
-    weights = brick < 0 ? Real(0) : Real(1);
     return brick < 0 ? Real(0) : mixOcclusions(64 * brick + voxelInBrick(voxel), part);
   }
   // Both sides' share of the brick's cell and of the place in the brick, axis by axis.
@@ -76,7 +74,7 @@ Real sphericalOcclusion(vec3 position, LS_OUT(Real) weights)
   ivec3 lowPlace = (low3 & 3) * ivec3(1, 4, 16);
   ivec3 highPlace = (high3 & 3) * ivec3(1, 4, 16);
   Real sum = Real(0);
-  weights = Real(0);
+  Real weights = Real(0);
   for (int corner = 0; corner < 4; ++corner)
   {
     bool highY = (corner & 1) != 0;
