@@ -420,6 +420,18 @@ void CheckWindows(Checks& check, Messages* messages)
     check(other.Render().Bytes == lit.Bytes, "another window shows the same");
     check(reception.Render().Bytes == lit.Bytes, "and the first one still does");
     check(other.Render().Bytes == lit.Bytes, "and the other one again");
+
+    // Two actors with the same mapper are not told apart by it.
+    other.Renderer->RemoveActor(reception.Actor);
+    auto second = other.Add(tubes);
+    SetUp(second->GetProperty());
+    reception.Caster->AddReceiver(second);
+    for (int frame = 0; frame < 2; ++frame)
+    {
+      check(other.Render().Bytes == lit.Bytes, "a second actor with the same mapper");
+      check(reception.Render().Bytes == lit.Bytes, "and the first one");
+    }
+    reception.Caster->RemoveReceiver(second);
   }
   check(reception.Render().Bytes == lit.Bytes, "after the other window is gone");
   check(reception.Caster->GetGraphicsMemory() > 0, "memory is told");
