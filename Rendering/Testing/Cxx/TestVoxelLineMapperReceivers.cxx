@@ -311,10 +311,19 @@ void CheckLines(Checks& check)
     const std::string name = "lines with " + std::to_string(mergeLength);
     mapper->SetInputData(lines);
     Reception reception(mapper);
+    // Of shadows and of occlusion alone.
+    Global* global = reception.Caster->GetGlobalIllumination();
+    global->SetOcclusionToNone();
+    const Picture shadowed = reception.Render();
+    global->SetOcclusionToHemisphereDensity();
+    global->SetOcclusionSamples(8);
     Save(reception.Stage.Window, "lines");
     const Picture lit = reception.Render();
     reception.Caster->RemoveReceiver(reception.Actor);
-    CheckDarker(check, reception.Render(), lit, name);
+    const Picture plain = reception.Render();
+    CheckDarker(check, plain, shadowed, name + " in shadow");
+    CheckDarker(check, shadowed, lit, name);
+    global->SetOcclusionToSpherical();
 
     mapper->SetInputData(all);
     const Picture plainAlone = reception.Render();
