@@ -490,6 +490,7 @@ struct RayCaster
 #include "glsl/vtkVoxelLineDensity.glsl"
 
 #include "glsl/vtkVoxelLineSoftLight.glsl"
+
 #include "glsl/vtkVoxelLineShadow.glsl"
 
 #include "glsl/vtkVoxelLineShading.glsl"
