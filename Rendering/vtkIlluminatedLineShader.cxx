@@ -9,8 +9,7 @@ namespace
 // What the light model's shader source asks for.
 constexpr const char* Declarations = "#define Real float\n"
                                      "#define LS_OUT(T) out T\n"
-                                     "#define LS_INOUT(T) inout T\n"
-                                     "float lightVisibility(int i) { return 1.0; }\n";
+                                     "#define LS_INOUT(T) inout T\n";
 
 // VTK's shaders discard what is wholly transparent, which keeps depth tests from coming first, even
 // where nothing is transparent.
@@ -21,6 +20,7 @@ constexpr const char* LineLight =
   "  float lineTangentSize = length(lineTangentVCVSOutput);\n"
   "  vec3 lineTangent = lineTangentSize > 0.0 ? lineTangentVCVSOutput / lineTangentSize\n"
   "    : vec3(0.0);\n"
+  "  beginLight(vertexVCVSOutput.xyz);\n"
   "  lineLight(vertexVCVSOutput.xyz, lineTangent, lineShines, linePower,\n"
   "    lineDiffuseVSOutput, lineSpecularVSOutput);\n";
 
@@ -63,7 +63,7 @@ std::string vtkIlluminatedLineShader::GetKey() const
 //------------------------------------------------------------------------------
 std::string vtkIlluminatedLineShader::GetSource() const
 {
-  return std::string(Declarations) +
+  return std::string(Declarations) + Visibility +
     "const bool lineShines = " + (this->Shines ? "true" : "false") + ";\n" +
     (this->HasPowers ? "#define linePower linePowerVSOutput\n" : "uniform float linePower;\n") +
     this->Lighting;
@@ -89,7 +89,9 @@ void vtkIlluminatedLineShader::Insert(std::map<vtkShader::Type, vtkShader*>& sha
       std::string(this->IsFine ? "float " : "") +
         "linePowerVSOutput = linePowerMC < 0.0 ? linePowerElsewhere : linePowerMC;\n");
   }
-  InsertBefore(fragment, "//VTK::Light::Dec", "uniform vec3 lineSpecularColor;\n");
+  InsertBefore(fragment, "//VTK::Light::Dec",
+    "#define LineSetsLitLine\n"
+    "uniform vec3 lineSpecularColor;\n");
   if (this->IsFine)
   {
     HandOn(shaders, "vec3", "lineDiffuse");

@@ -17,6 +17,11 @@ struct vtkLineSetsLighting;
 
 struct vtkIlluminatedLineShader
 {
+  /// What the light of a line is asked for: nothing. Code that tells shadows may take its place;
+  /// beginLight() is then told the point, in view coordinates, before lightVisibility().
+  static constexpr const char* Visibility = "void beginLight(vec3 position) {}\n"
+                                            "float lightVisibility(int i) { return 1.0; }\n";
+
   /// Whether anything shines; else compilers leave out all that computes highlights.
   bool Shines = false;
   /// Whether each point has an exponent of its own.

@@ -19,6 +19,7 @@
 #include "vtkVoxelLineModel.h"
 #include "vtkVoxelLineModelSource.h"
 #include "vtkVoxelLinePainter.h"
+#include "vtkVoxelLineReceivers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,15 @@ double GetLongestSide(const double bounds[6])
 class vtkVoxelLineMapper::vtkInternals
 {
 public:
+  explicit vtkInternals(vtkVoxelLineMapper* mapper)
+    : Receivers(
+        { [this, mapper](vtkVoxelLineScene& scene) { return this->DescribeCaster(mapper, scene); },
+          this->Painter.GetLightFields(),
+          [this, mapper](const vtkVoxelLineScene::Warnings& warnings)
+          { this->WarnOnce(mapper, warnings); } })
+  {
+  }
+
   vtkVoxelLineModelSource Source;
   vtkVoxelLinePainter Painter;
   vtkSmartPointer<vtkLineIllumination> Illumination = vtkSmartPointer<vtkLineIllumination>::New();
@@ -52,6 +62,34 @@ public:
   std::string LastError;
   std::string LastColorWarning;
   std::set<std::pair<vtkMTimeType, int>> Warned;
+
+  // Reads what stands above.
+  vtkVoxelLineReceivers Receivers;
+
+  // Say each kind of warning once for each model.
+  void WarnOnce(vtkVoxelLineMapper* mapper, const vtkVoxelLineScene::Warnings& warnings)
+  {
+    vtkVoxelLineModel* model = this->Source.GetModel();
+    for (const auto& [kind, text] : warnings)
+    {
+      if (this->Warned.emplace(model ? model->GetMTime() : 0, kind).second)
+      {
+        vtkWarningWithObjectMacro(mapper, << text);
+      }
+    }
+  }
+
+  // DescribeScene() for receivers: the mapper may not be drawn; false: there are no lines.
+  bool DescribeCaster(vtkVoxelLineMapper* mapper, vtkVoxelLineScene& scene)
+  {
+    vtkVoxelLineModel* model = mapper->GetModel();
+    if (!model || model->GetNumberOfSegments() == 0 || !model->FindDefect().empty())
+    {
+      return false;
+    }
+    scene = this->DescribeScene(mapper);
+    return true;
+  }
 
   // What the painter needs to know of the mapper that these belong to, for a model that is valid.
   vtkVoxelLinePainter::Scene DescribeScene(vtkVoxelLineMapper* mapper)
@@ -72,7 +110,7 @@ vtkStandardNewMacro(vtkVoxelLineMapper);
 
 //------------------------------------------------------------------------------
 vtkVoxelLineMapper::vtkVoxelLineMapper()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
   this->InteriorTolerance = this->Internals->Source.GetDefaultInteriorTolerance();
 }
@@ -235,6 +273,46 @@ vtkLineGlobalIllumination* vtkVoxelLineMapper::GetGlobalIllumination()
 }
 
 //------------------------------------------------------------------------------
+void vtkVoxelLineMapper::AddReceiver(vtkActor* actor)
+{
+  if (!actor)
+  {
+    vtkErrorMacro("There is no actor to receive light.");
+  }
+  else if (!this->Internals->Receivers.Add(actor))
+  {
+    vtkErrorMacro("The actor " << actor << " receives from another vtkVoxelLineMapper, from which "
+                               << "it must be removed first.");
+  }
+  else
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::RemoveReceiver(vtkActor* actor)
+{
+  if (this->Internals->Receivers.Remove(actor))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::RemoveAllReceivers()
+{
+  this->Internals->Receivers.RemoveAll();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkVoxelLineMapper::GetNumberOfReceivers()
+{
+  return this->Internals->Receivers.GetNumberOfReceivers();
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkVoxelLineMapper::GetMTime()
 {
   return std::max({ this->Superclass::GetMTime(), this->Internals->Illumination->GetMTime(),
@@ -386,7 +464,8 @@ vtkIdType vtkVoxelLineMapper::GetNumberOfPictures()
 //------------------------------------------------------------------------------
 vtkIdType vtkVoxelLineMapper::GetGraphicsMemory()
 {
-  return this->Internals->Painter.GetNumberOfBytes();
+  return this->Internals->Painter.GetNumberOfBytes() +
+    this->Internals->Receivers.GetNumberOfBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -451,6 +530,7 @@ void vtkVoxelLineMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   {
     return;
   }
+  this->Internals->Receivers.SetDrawnBy(actor);
   this->InvokeEvent(vtkCommand::StartEvent, nullptr);
   vtkVoxelLineModel* model = this->GetModel();
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
@@ -474,14 +554,7 @@ void vtkVoxelLineMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   }
   vtkVoxelLinePainter::Warnings warnings;
   this->ErrorOnce(this->Internals->Painter.Draw(scene, renderer, actor, warnings));
-  for (const auto& [kind, text] : warnings)
-  {
-    // Once for each model.
-    if (this->Internals->Warned.emplace(model->GetMTime(), kind).second)
-    {
-      vtkWarningMacro(<< text);
-    }
-  }
+  this->Internals->WarnOnce(this, warnings);
   // After the picture, which has brought the lookup table's range up to date.
   const std::string steps = vtkVoxelLineColoring::DescribeSteps(this, model);
   if (!steps.empty() && this->Internals->Warned.emplace(model->GetMTime(), StepsWarning).second)
@@ -512,6 +585,7 @@ void vtkVoxelLineMapper::ErrorOnce(const std::string& error)
 void vtkVoxelLineMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Painter.ReleaseGraphicsResources(window);
+  this->Internals->Receivers.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -557,6 +631,7 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityByPathLength: " << (this->OpacityByPathLength ? "On" : "Off") << "\n";
   os << indent << "Quality: " << this->Quality << "\n";
   os << indent << "QualityInUse: " << this->QualityInUse << "\n";
+  os << indent << "NumberOfReceivers: " << this->GetNumberOfReceivers() << "\n";
   os << indent << "Illumination:\n";
   this->Internals->Illumination->PrintSelf(os, indent.GetNextIndent());
   os << indent << "GlobalIllumination:\n";

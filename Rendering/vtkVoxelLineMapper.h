@@ -214,6 +214,32 @@ public:
 
   ///@{
   /**
+   * Actors that receive the shadows and the ambient occlusion of the lines, as GlobalIllumination
+   * tells them (Kanzler et al., Secs. 4.1.2 and 4.1.3): those of vtkIlluminatedLineMapper and of
+   * VTK's vtkPolyDataMapper by OpenGL, whatever they draw. This mapper itself needs no actor: its
+   * input and its parameters tell which lines cast shadows. Where it was drawn, the lines have
+   * the matrix and the opacity of the actor that drew it last; else the coordinates of the data are
+   * taken for the world's, and the opacity is that of the receiving actor.
+   *
+   * Other mappers cannot follow rays through the tubes: hard shadows and those of a level are
+   * replaced by soft ones, HemisphereTubes by HemisphereDensity, and a warning says so once. What
+   * VTK draws without light, as lines without normals, gets the mean of all lights' shadows. An
+   * actor whose vtkProperty switches lighting off receives nothing, nor does one that is drawn
+   * by other kinds of mappers.
+   *
+   * Code is added to the actor's vtkShaderProperty, beside what a user has put there, when the
+   * actor is drawn. Two actors with the same vtkShaderProperty must both receive. An actor receives
+   * from one mapper: adding it to a second one is an error, and so is nullptr. Neither the actor
+   * nor this mapper is kept alive by it.
+   */
+  virtual void AddReceiver(vtkActor* actor);
+  virtual void RemoveReceiver(vtkActor* actor);
+  virtual void RemoveAllReceivers();
+  int GetNumberOfReceivers();
+  ///@}
+
+  ///@{
+  /**
    * Whether tubes that are thinner than a pixel are drawn one pixel wide with the opacity
    * multiplied by the part of that width which they cover, and lit by the average over their width
    * (Mallo, Peikert, Sigg and Sadlo, "Illuminated Lines Revisited", 2005, Sec. 2.2); between one

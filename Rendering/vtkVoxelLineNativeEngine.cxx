@@ -493,6 +493,8 @@ struct RayCaster
 
 #include "glsl/vtkVoxelLineDensity.glsl"
 
+#include "glsl/vtkVoxelLineSoftLight.glsl"
+
 #include "glsl/vtkVoxelLineShadow.glsl"
 
 #include "glsl/vtkVoxelLineAcceleration.glsl"

@@ -24,10 +24,10 @@
 #include "vtkLineSetsLayer.h"
 #include "vtkLineSetsSceneDepth.h"
 #include "vtkVoxelLineAccumulator.h"
+#include "vtkVoxelLineLightFields.h"
 #include "vtkVoxelLineNativeEngine.h"
 #include "vtkVoxelLineScene.h"
 #include "vtkVoxelLineSelectionPainter.h"
-#include "vtkVoxelLineLightFields.h"
 #include "vtkVoxelLineShaderEngine.h"
 #include "vtkVoxelLineViews.h"
 
@@ -96,6 +96,9 @@ public:
 
   /// Bytes on the graphics device.
   vtkIdType GetNumberOfBytes() const;
+
+  /// What shadows and occlusion are looked up in, also by other actors.
+  vtkVoxelLineLightFields* GetLightFields() { return &this->LightFields; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

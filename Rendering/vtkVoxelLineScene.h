@@ -50,7 +50,10 @@ struct vtkVoxelLineScene
     NoPoints,          ///< points were to be selected in a model
     HugePixels,        ///< pixels are so large that rays miss tubes
     BadPower,          ///< the exponent of the property is not a number
-    NoGlobalLight      ///< shadows or occlusion are left out
+    NoGlobalLight,     ///< shadows or occlusion are left out
+    SofterShadows,     ///< other actors receive soft shadows in place of others
+    SofterOcclusion,   ///< other actors receive occlusion by densities in place of tubes
+    NothingReceived    ///< another actor receives nothing
   };
   using Warnings = std::map<WarningKind, std::string>;
 

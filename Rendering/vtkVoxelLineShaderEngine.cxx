@@ -38,6 +38,7 @@
 #include "vtkVoxelLineShading.h"
 #include "vtkVoxelLineShadow.h"
 #include "vtkVoxelLineSlabs.h"
+#include "vtkVoxelLineSoftLight.h"
 #include "vtkVoxelLineTraversal.h"
 #include "vtkVoxelLineVertex.h"
 
@@ -298,7 +299,7 @@ bool vtkVoxelLineShaderEngine::Internals::PrepareQuad(vtkOpenGLRenderWindow* win
     std::string source = std::string("//VTK::System::Dec\n//VTK::Output::Dec\n") +
       vtkVoxelLineFetch + vtkVoxelLinePacking + vtkVoxelLineCapsule + vtkVoxelLineRay +
       vtkVoxelLineSegment + vtkVoxelLineOccluder + vtkVoxelLineHits + vtkVoxelLineSlabs +
-      vtkVoxelLineOcclusionRay + vtkVoxelLineDensity + vtkVoxelLineShadow +
+      vtkVoxelLineOcclusionRay + vtkVoxelLineDensity + vtkVoxelLineSoftLight + vtkVoxelLineShadow +
       vtkVoxelLineAcceleration + vtkVoxelLineShading + vtkVoxelLineLayers + vtkVoxelLineTraversal +
       vtkVoxelLinePixel + vtkVoxelLineFragment;
     vtkShaderProgram::Substitute(source, "//LineSets::Constants", kind);

@@ -2,30 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // How much light other lines leave to a point of a line: of each light (shadows), and of all that
-// comes from around (ambient occlusion). vtkLineGlobalIllumination tells the methods. Common subset
-// of GLSL and C++ with GLM.
+// comes from around (ambient occlusion), by densities (vtkVoxelLineSoftLight.glsl) or by rays
+// (vtkVoxelLineOcclusionRay.glsl). Common subset of GLSL and C++ with GLM.
 //
-// The engine supplies Shadows and Occlusion (vtkLineGlobalIllumination's types); LocalLights[], a
-// direction to the light (w = 0) or its position (w = 1), grid-local, or w = -1 for a light that
-// casts no shadow; PlaneCount and Planes[] of the frame; ConeSpread, ConeStart, OcclusionRadius, OcclusionSamples, OcclusionStrength; and
-// Real fetchOcclusion(int), occlusion of voxels as vtkVoxelLineOcclusion tells.
-
-// The point in question, grid-local: on the tube, its normal, and on the axis next to it.
-vec3 ShadedPoint;
-vec3 ShadedNormal;
-vec3 ShadedAxis;
-
-// How far a ray goes until a clipping plane cuts it off: what is clipped takes no light.
-Real keptWay(vec3 origin, vec3 direction, Real end)
-{
-  for (int i = 0; i < PlaneCount; ++i)
-  {
-    Real towards = dot(vec3(Planes[i]), direction);
-    Real height = dot(vec3(Planes[i]), origin) + Planes[i].w;
-    end = towards < Real(0) ? min(end, max(height, Real(0)) / -towards) : end;
-  }
-  return end;
-}
+// The engine supplies Shadows and Occlusion, vtkLineGlobalIllumination's types.
 
 // Part of light i that arrives.
 Real lightVisibility(int i)
@@ -34,93 +14,21 @@ Real lightVisibility(int i)
   {
     return Real(1);
   }
-  vec4 light = LocalLights[i];
-  if (light.w < Real(0))
+  if (Shadows == 3)
+  {
+    return softVisibility(i);
+  }
+  vec3 way;
+  Real distance;
+  if (!findLight(i, Shadows == 1 ? ShadedPoint : ShadedAxis, way, distance))
   {
     return Real(1);
   }
-  vec3 origin = Shadows == 1 ? ShadedPoint : ShadedAxis;
-  vec3 way = vec3(light);
-  Real distance = Beyond;
-  if (light.w > Real(0))
-  {
-    way = way - origin;
-    distance = length(way);
-    way = way / max(distance, Real(1e-6));
-  }
-  distance = keptWay(origin, way, distance);
   if (Shadows == 1)
   {
-    return transmittance(origin, way, distance);
+    return transmittance(ShadedPoint, way, distance);
   }
-  if (Shadows == 2)
-  {
-    return levelTransmittance(origin, way, distance);
-  }
-  return exp(-coneDepth(origin, way, ConeStart, distance, ConeSpread));
-}
-
-Real mixOcclusions(int first, vec3 part)
-{
-  Real o00 = mix(fetchOcclusion(first), fetchOcclusion(first + 1), part.x);
-  Real o10 = mix(fetchOcclusion(first + 4), fetchOcclusion(first + 5), part.x);
-  Real o01 = mix(fetchOcclusion(first + 16), fetchOcclusion(first + 17), part.x);
-  Real o11 = mix(fetchOcclusion(first + 20), fetchOcclusion(first + 21), part.x);
-  return mix(mix(o00, o10, part.y), mix(o01, o11, part.y), part.z);
-}
-
-// Occlusion of what surrounds a position, interpolated between the voxels of bricks that hold lines.
-Real sphericalOcclusion(vec3 position)
-{
-  vec3 x = position - vec3(Real(0.5));
-  vec3 low = floor(x);
-  vec3 part = x - low;
-  ivec3 voxel = ivec3(low);
-  ivec3 last = GridDimensions - ivec3(1);
-  if (min(min(voxel.x, voxel.y), voxel.z) >= 0 && max(max(voxel.x & 3, voxel.y & 3), voxel.z & 3) < 3 &&
-    voxel.x <= last.x && voxel.y <= last.y && voxel.z <= last.z)
-  {
-    int brick = brickGridAt(voxel);
-    return brick < 0 ? Real(0) : mixOcclusions(64 * brick + voxelInBrick(voxel), part);
-  }
-  // Both sides' share of the brick's cell and of the place in the brick, axis by axis.
-  ivec3 low3 = clamp(voxel, ivec3(0), last);
-  ivec3 high3 = clamp(voxel + ivec3(1), ivec3(0), last);
-  ivec3 strides = ivec3(1, BrickDimensions.x, BrickDimensions.x * BrickDimensions.y);
-  ivec3 lowCell = (low3 >> 2) * strides;
-  ivec3 highCell = (high3 >> 2) * strides;
-  ivec3 lowPlace = (low3 & 3) * ivec3(1, 4, 16);
-  ivec3 highPlace = (high3 & 3) * ivec3(1, 4, 16);
-  Real sum = Real(0);
-  Real weights = Real(0);
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    bool highY = (corner & 1) != 0;
-    bool highZ = (corner & 2) != 0;
-    int cell = (highY ? highCell.y : lowCell.y) + (highZ ? highCell.z : lowCell.z);
-    int place = (highY ? highPlace.y : lowPlace.y) + (highZ ? highPlace.z : lowPlace.z);
-    Real weight = (highY ? part.y : Real(1) - part.y) * (highZ ? part.z : Real(1) - part.z);
-    int brick = fetchBrickGrid(cell + lowCell.x);
-    Real lowWeight = brick >= 0 ? weight * (Real(1) - part.x) : Real(0);
-    sum += lowWeight * fetchOcclusion(64 * max(brick, 0) + place + lowPlace.x);
-    brick = fetchBrickGrid(cell + highCell.x);
-    Real highWeight = brick >= 0 ? weight * part.x : Real(0);
-    sum += highWeight * fetchOcclusion(64 * max(brick, 0) + place + highPlace.x);
-    weights += lowWeight + highWeight;
-  }
-  return weights > Real(0) ? sum / weights : Real(0);
-}
-
-// Direction number i of a spiral that covers the hemisphere about a normal evenly.
-vec3 hemisphereDirection(int i, vec3 normal)
-{
-  Real up = Real(1) - (Real(i) + Real(0.5)) / Real(OcclusionSamples);
-  Real side = sqrt(max(Real(0), Real(1) - up * up));
-  Real angle = Real(2.39996323) * Real(i);
-  vec3 other = abs(normal.x) < Real(0.6) ? vec3(Real(1), Real(0), Real(0)) : vec3(Real(0), Real(1), Real(0));
-  vec3 u = normalize(cross(normal, other));
-  vec3 v = cross(normal, u);
-  return normal * up + u * (side * cos(angle)) + v * (side * sin(angle));
+  return levelTransmittance(ShadedAxis, way, distance);
 }
 
 // Part of the hemisphere above the shaded point that lines fill.
@@ -130,10 +38,9 @@ Real hemisphereOcclusion()
   for (int i = 0; i < OcclusionSamples; ++i)
   {
     vec3 direction = hemisphereDirection(i, ShadedNormal);
-    Real end = keptWay(ShadedPoint, direction, OcclusionRadius);
-    sum += Real(1) - (Occlusion == 3
-      ? transmittance(ShadedPoint, direction, end)
-      : exp(-coneDepth(ShadedPoint, direction, Real(0.5), end, Real(0))));
+    sum += Occlusion == 3
+      ? Real(1) - transmittance(ShadedPoint, direction, keptWay(ShadedPoint, direction, OcclusionRadius))
+      : densityOcclusion(direction);
   }
   return sum / Real(OcclusionSamples);
 }
@@ -145,8 +52,6 @@ Real ambientVisibility()
   {
     return Real(1);
   }
-  // A surface hides half of the sphere by itself.
-  Real visible = Occlusion == 1 ? min(Real(2) - Real(2) * sphericalOcclusion(ShadedAxis), Real(1))
-                                : Real(1) - hemisphereOcclusion();
-  return OcclusionStrength == Real(1) ? visible : pow(max(visible, Real(0)), OcclusionStrength);
+  return Occlusion == 1 ? dimmedByOcclusion(sphericalOcclusion(ShadedAxis))
+                        : dimmedLight(Real(1) - hemisphereOcclusion());
 }

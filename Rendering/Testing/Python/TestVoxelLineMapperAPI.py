@@ -42,6 +42,21 @@ assert mapper.GetLightBuildTime() == 0.0
 assert mapper.GetAccumulationFrames() == 1 and mapper.GetNumberOfAccumulatedPictures() == 0
 assert mapper.GetNumberOfPictures() == 0 and mapper.GetGraphicsMemory() == 0
 
+# Receivers of shadows.
+receiver = vtkActor()
+assert mapper.GetNumberOfReceivers() == 0
+mapper.AddReceiver(receiver)
+mapper.AddReceiver(receiver)
+assert mapper.GetNumberOfReceivers() == 1
+mapper.RemoveReceiver(receiver)
+assert mapper.GetNumberOfReceivers() == 0
+mapper.AddReceiver(receiver)
+mapper.RemoveAllReceivers()
+assert mapper.GetNumberOfReceivers() == 0
+mapper.AddReceiver(receiver)
+del receiver
+assert mapper.GetNumberOfReceivers() == 0
+
 # A value out of range is an error and changes nothing.
 errors = []
 mapper.AddObserver("ErrorEvent", lambda caller, event: errors.append(event))
