@@ -131,6 +131,24 @@ void vtkVoxelLineMapper::SetInputData(vtkVoxelLineModel* input)
 }
 
 //------------------------------------------------------------------------------
+template <typename T>
+void vtkVoxelLineMapper::SetInRange(const char* name, T& member, T value, T lowest, T highest)
+{
+  // NaN is in no range.
+  if (!(value >= lowest && value <= highest))
+  {
+    vtkErrorMacro(<< name << " " << value << " is not valid: it must be from " << lowest << " to "
+                  << highest << ". It stays " << member << ".");
+    return;
+  }
+  if (member != value)
+  {
+    member = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkVoxelLineMapper::SetRadius(double radius)
 {
   if (!std::isfinite(radius) || radius < 0.0)
@@ -159,18 +177,8 @@ void vtkVoxelLineMapper::SetRadiusArrayName(const std::string& name)
 //------------------------------------------------------------------------------
 void vtkVoxelLineMapper::SetResolution(int resolution)
 {
-  if (resolution < 1 || resolution > vtkLineVoxelizer::LargestResolution)
-  {
-    vtkErrorMacro("Resolution " << resolution << " is not valid: it must be from 1 to "
-                                << static_cast<int>(vtkLineVoxelizer::LargestResolution)
-                                << ". It stays " << this->Resolution << ".");
-    return;
-  }
-  if (this->Resolution != resolution)
-  {
-    this->Resolution = resolution;
-    this->Modified();
-  }
+  this->SetInRange<int>(
+    "Resolution", this->Resolution, resolution, 1, vtkLineVoxelizer::LargestResolution);
 }
 
 //------------------------------------------------------------------------------
@@ -209,33 +217,13 @@ void vtkVoxelLineMapper::SetInteriorTolerance(double tolerance)
 //------------------------------------------------------------------------------
 void vtkVoxelLineMapper::SetEarlyTermination(double opacity)
 {
-  if (!(opacity >= 0.0 && opacity <= 1.0))
-  {
-    vtkErrorMacro("EarlyTermination " << opacity << " is not valid: it must be from 0 to 1. It "
-                                      << "stays " << this->EarlyTermination << ".");
-    return;
-  }
-  if (this->EarlyTermination != opacity)
-  {
-    this->EarlyTermination = opacity;
-    this->Modified();
-  }
+  this->SetInRange<double>("EarlyTermination", this->EarlyTermination, opacity, 0.0, 1.0);
 }
 
 //------------------------------------------------------------------------------
 void vtkVoxelLineMapper::SetOpacityAcceleration(double opacity)
 {
-  if (!(opacity >= 0.0 && opacity <= 1.0))
-  {
-    vtkErrorMacro("OpacityAcceleration " << opacity << " is not valid: it must be from 0 to 1. It "
-                                         << "stays " << this->OpacityAcceleration << ".");
-    return;
-  }
-  if (this->OpacityAcceleration != opacity)
-  {
-    this->OpacityAcceleration = opacity;
-    this->Modified();
-  }
+  this->SetInRange<double>("OpacityAcceleration", this->OpacityAcceleration, opacity, 0.0, 1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -339,19 +327,8 @@ void vtkVoxelLineMapper::SetEngine(int engine)
 //------------------------------------------------------------------------------
 void vtkVoxelLineMapper::SetAccumulationFrames(int frames)
 {
-  constexpr int largest = vtkVoxelLineAccumulator::LargestNumber;
-  if (frames < 1 || frames > largest)
-  {
-    vtkErrorMacro("AccumulationFrames " << frames << " is not valid: it must be from 1 to "
-                                        << largest << ". It stays " << this->AccumulationFrames
-                                        << ".");
-    return;
-  }
-  if (this->AccumulationFrames != frames)
-  {
-    this->AccumulationFrames = frames;
-    this->Modified();
-  }
+  this->SetInRange<int>("AccumulationFrames", this->AccumulationFrames, frames, 1,
+    vtkVoxelLineAccumulator::LargestNumber);
 }
 
 //------------------------------------------------------------------------------

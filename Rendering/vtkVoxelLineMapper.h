@@ -225,7 +225,8 @@ public:
    * replaced by soft ones, HemisphereTubes by HemisphereDensity, and a warning says so once. What
    * VTK draws without light, as lines without normals, gets the mean of all lights' shadows. An
    * actor whose vtkProperty switches lighting off receives nothing, nor does one that is drawn
-   * by other kinds of mappers.
+   * by other kinds of mappers. Clipping planes of this mapper are not looked at: lines that are
+   * clipped cast shadows on receivers.
    *
    * Code is added to the actor's vtkShaderProperty, beside what a user has put there, when the
    * actor is drawn. Two actors with the same vtkShaderProperty must both receive. An actor receives
@@ -418,6 +419,8 @@ private:
   vtkVoxelLineMapper(const vtkVoxelLineMapper&) = delete;
   void operator=(const vtkVoxelLineMapper&) = delete;
 
+  template <typename T>
+  void SetInRange(const char* name, T& member, T value, T lowest, T highest);
   void WarnOnce(std::string& last, const std::string& warning);
   void ErrorOnce(const std::string& error);
 

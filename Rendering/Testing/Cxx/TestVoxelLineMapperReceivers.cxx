@@ -412,7 +412,8 @@ void CheckSurface(Checks& check)
   // Half of the plane lies in voxels without lines.
   const double part = CheckDarker(check, plain, picture, "plane");
   std::cerr << "plane: darker part " << part << std::endl;
-  check(part > 0.1, "a plane is dimmed between the lines, too");
+  // A tenth, and a fiftieth without the cones that are followed where voxels hold none.
+  check(part > 0.06, "a plane is dimmed between the lines, too");
 }
 
 // Renderers and windows that come, go and differ; deletion in any order.
