@@ -180,6 +180,49 @@ glm::mat3 GetNormalMatrix(const double matrix[16])
   }
   return normals;
 }
+
+bool IsNear(float a, float b, float tolerance)
+{
+  return a == b || std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+// Whether three vectors are alike, of which the last two are steps from pixel to pixel: to a part
+// of a step that nobody sees, over the whole picture.
+bool AreSteppingAlike(const glm::vec3 a[3], const glm::vec3 b[3], float pixels)
+{
+  constexpr float part = 1.0f / 256.0f;
+  const float step = std::max(glm::length(a[1]), glm::length(a[2]));
+  const float tolerance = std::max(part * step, 1e-6f * glm::length(a[0]));
+  return glm::length(a[0] - b[0]) <= tolerance && pixels * glm::length(a[1] - b[1]) <= tolerance &&
+    pixels * glm::length(a[2] - b[2]) <= tolerance;
+}
+
+// Views that differ by rounding are the same: whoever sets a camera to where it was need not get
+// the very same numbers.
+bool IsSameView(const vtkVoxelLineFrame& a, const vtkVoxelLineFrame& b)
+{
+  constexpr float tolerance = 1e-5f;
+  const float pixels = static_cast<float>(std::max(a.Width, a.Height));
+  bool same = a.Width == b.Width && a.Height == b.Height &&
+    AreSteppingAlike(a.Origin, b.Origin, pixels) &&
+    AreSteppingAlike(a.Direction, b.Direction, pixels) &&
+    IsNear(a.NearestS, b.NearestS, tolerance) && IsNear(a.FarthestS, b.FarthestS, tolerance);
+  for (int i = 0; i < 2; ++i)
+  {
+    same = same && IsNear(a.DepthZ[i], b.DepthZ[i], tolerance) &&
+      IsNear(a.DepthW[i], b.DepthW[i], tolerance);
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    same = same &&
+      glm::length(a.ViewFromLocal[i] - b.ViewFromLocal[i]) <=
+        tolerance * glm::length(a.ViewFromLocal[i]) &&
+      (i == 3 ||
+        glm::length(a.NormalFromLocal[i] - b.NormalFromLocal[i]) <=
+          tolerance * glm::length(a.NormalFromLocal[i]));
+  }
+  return same;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -393,12 +436,7 @@ bool vtkVoxelLineFrameBuilder::SetLighting(vtkVoxelLineFrame& frame, vtkRenderer
 //------------------------------------------------------------------------------
 bool vtkVoxelLineFrameBuilder::IsSamePicture(const vtkVoxelLineFrame& a, const vtkVoxelLineFrame& b)
 {
-  const bool sameView = a.Width == b.Width && a.Height == b.Height &&
-    std::equal(a.Origin, a.Origin + 3, b.Origin) &&
-    std::equal(a.Direction, a.Direction + 3, b.Direction) && a.NearestS == b.NearestS &&
-    a.FarthestS == b.FarthestS && a.DepthZ == b.DepthZ && a.DepthW == b.DepthW &&
-    a.ViewFromLocal == b.ViewFromLocal && a.NormalFromLocal == b.NormalFromLocal &&
-    a.ClippingPlanes == b.ClippingPlanes;
+  const bool sameView = IsSameView(a, b) && a.ClippingPlanes == b.ClippingPlanes;
   const bool sameColors = a.Coloring == b.Coloring && a.HasNaN == b.HasNaN &&
     (a.Coloring != vtkVoxelLineFrame::Table || a.ColorTable == b.ColorTable);
   const bool sameMaterial = a.AmbientColor == b.AmbientColor && a.DiffuseColor == b.DiffuseColor &&
@@ -406,7 +444,7 @@ bool vtkVoxelLineFrameBuilder::IsSamePicture(const vtkVoxelLineFrame& a, const v
     a.Specular == b.Specular && a.Opacity == b.Opacity && a.Lighting == b.Lighting;
   return sameView && sameColors && sameMaterial && a.Light == b.Light && a.Radius == b.Radius &&
     a.LitAsLines == b.LitAsLines && a.NarrowTubes == b.NarrowTubes && a.ThinTubes == b.ThinTubes &&
-    a.LargestRadius == b.LargestRadius && a.EarlyTermination == b.EarlyTermination &&
+    IsNear(a.LargestRadius, b.LargestRadius, 1e-5f) && a.EarlyTermination == b.EarlyTermination &&
     a.AccelerationOpacity == b.AccelerationOpacity &&
     a.OpacityByPathLength == b.OpacityByPathLength && a.Interactive == b.Interactive &&
     a.Global == b.Global && a.SecondaryRays == b.SecondaryRays && a.LevelRays == b.LevelRays &&

@@ -15,6 +15,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <vector>
 
 class vtkVoxelLineDensities;
@@ -46,13 +47,16 @@ struct vtkVoxelLineGlobalLight
 
   bool operator==(const vtkVoxelLineGlobalLight& other) const
   {
+    // Lights may differ by the rounding of the view.
     return this->Shadows == other.Shadows && this->Occlusion == other.Occlusion &&
-      this->Lights == other.Lights && this->ConeSpread == other.ConeSpread &&
-      this->ConeStart == other.ConeStart && this->OcclusionRadius == other.OcclusionRadius &&
+      std::equal(this->Lights.begin(), this->Lights.end(), other.Lights.begin(), other.Lights.end(),
+        [](const glm::vec4& a, const glm::vec4& b)
+        { return glm::length(a - b) <= 1e-5f * glm::length(a); }) &&
+      this->ConeSpread == other.ConeSpread && this->ConeStart == other.ConeStart &&
+      this->OcclusionRadius == other.OcclusionRadius &&
       this->OcclusionSamples == other.OcclusionSamples &&
-      this->OcclusionStrength == other.OcclusionStrength &&
-      this->Extinction == other.Extinction && this->Densities == other.Densities &&
-      this->DensitiesTime == other.DensitiesTime &&
+      this->OcclusionStrength == other.OcclusionStrength && this->Extinction == other.Extinction &&
+      this->Densities == other.Densities && this->DensitiesTime == other.DensitiesTime &&
       this->SphericalOcclusion == other.SphericalOcclusion &&
       this->SphericalOcclusionTime == other.SphericalOcclusionTime;
   }

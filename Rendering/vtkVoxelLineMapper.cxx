@@ -267,6 +267,11 @@ void vtkVoxelLineMapper::AddReceiver(vtkActor* actor)
   {
     vtkErrorMacro("There is no actor to receive light.");
   }
+  else if (vtkVoxelLineMapper::SafeDownCast(actor->GetMapper()))
+  {
+    vtkErrorMacro("The actor " << actor << " draws by a vtkVoxelLineMapper, whose lines receive no "
+                               << "light from another one's, and their own without this call.");
+  }
   else if (!this->Internals->Receivers.Add(actor))
   {
     vtkErrorMacro("The actor " << actor << " receives from another vtkVoxelLineMapper, from which "

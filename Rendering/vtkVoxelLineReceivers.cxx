@@ -446,6 +446,13 @@ std::string vtkVoxelLineReceivers::Describe(
 void vtkVoxelLineReceivers::BeginDraw(Receiver& receiver)
 {
   vtkActor* actor = receiver.GetActor();
+  // A mapper that was set later may be one that receives nothing, or even the caster itself, which
+  // would ask itself for its model without end.
+  if (actor && vtkVoxelLineMapper::SafeDownCast(actor->GetMapper()))
+  {
+    receiver.Pause();
+    return;
+  }
   vtkRenderer* renderer = actor ? this->FindRenderer(actor) : nullptr;
   if (!renderer)
   {
