@@ -11,7 +11,11 @@
 #include "vtkTextureObject.h"
 
 //------------------------------------------------------------------------------
-vtkLineSetsBufferTexture::vtkLineSetsBufferTexture() = default;
+vtkLineSetsBufferTexture::vtkLineSetsBufferTexture()
+  : Buffer(vtkSmartPointer<vtkOpenGLBufferObject>::New())
+  , Texture(vtkSmartPointer<vtkTextureObject>::New())
+{
+}
 
 //------------------------------------------------------------------------------
 vtkLineSetsBufferTexture::~vtkLineSetsBufferTexture() = default;
@@ -80,5 +84,7 @@ void vtkLineSetsBufferTexture::Release(vtkWindow* window)
 void vtkLineSetsBufferTexture::Forget()
 {
   this->Buffer->Register(nullptr);
+  this->Buffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
+  this->Texture = vtkSmartPointer<vtkTextureObject>::New();
   this->Bytes = 0;
 }

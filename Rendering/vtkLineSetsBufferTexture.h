@@ -10,7 +10,7 @@
 #ifndef vtkLineSetsBufferTexture_h
 #define vtkLineSetsBufferTexture_h
 
-#include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <cstddef>
 
@@ -58,8 +58,8 @@ private:
   vtkLineSetsBufferTexture(const vtkLineSetsBufferTexture&) = delete;
   void operator=(const vtkLineSetsBufferTexture&) = delete;
 
-  vtkNew<vtkOpenGLBufferObject> Buffer;
-  vtkNew<vtkTextureObject> Texture;
+  vtkSmartPointer<vtkOpenGLBufferObject> Buffer;
+  vtkSmartPointer<vtkTextureObject> Texture;
   std::size_t Bytes = 0;
 };
 

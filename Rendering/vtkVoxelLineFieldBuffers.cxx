@@ -13,11 +13,23 @@
 #include "vtkVoxelLineGlobalLight.h"
 #include "vtkVoxelLineOcclusion.h"
 
+#include <new>
+
 //------------------------------------------------------------------------------
 bool vtkVoxelLineFieldBuffers::Upload(
   vtkOpenGLRenderWindow* window, const vtkVoxelLineGlobalLight& light)
 {
-  return this->UploadDensities(window, light) && this->UploadOcclusion(window, light);
+  try
+  {
+    return this->UploadDensities(window, light) && this->UploadOcclusion(window, light);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Error =
+      "There is no memory for a copy of the densities of the lines. Lower the Resolution "
+      "or use the native engine.";
+    return false;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -13,11 +13,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <new>
 
 namespace
 {
 // Cones of soft shadows begin so far outside the tube, in voxels: densities reach about as far from
-// the line itself. The measurement is in docs/design.md.
+// the line itself. The measurement is in docs/global-illumination.md.
 constexpr float ConeMargin = 0.75f;
 
 // Mean of the sine of the angle between a ray and a line of any direction: what part of a line's
@@ -87,6 +89,19 @@ std::string SetParameters(vtkVoxelLineFrame& frame, Illumination* illumination)
   return problem;
 }
 
+/// Whether all values of densities and occlusion have indices that engines can count: 31 bits.
+bool AreIndicesSmall(vtkVoxelLineModel* model)
+{
+  const int* size = model->GetDimensions();
+  vtkIdType coarse = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    coarse *= vtkVoxelLineLevels::SizeOf(size[axis], 1);
+  }
+  const vtkIdType fine = 64 * model->GetNumberOfBricks();
+  return std::max(coarse, fine) <= std::numeric_limits<int>::max();
+}
+
 bool NeedsDensities(const vtkVoxelLineFrame& frame)
 {
   return frame.Global.Shadows == Illumination::SoftShadows ||
@@ -150,22 +165,26 @@ std::string vtkVoxelLineLightFields::Update(vtkVoxelLineFrame& frame, vtkVoxelLi
     {
       LeaveDensitiesOut(frame);
       problem = "Soft shadows, occlusion and opacity acceleration by densities are left out: the "
-                "densities could not be made.";
+                "densities could not be made. Lower the Resolution.";
     }
   }
   if (global.Occlusion == Illumination::SphericalOcclusion)
   {
-    if (this->Occlusion.Build(model, this->Densities, illumination->GetOcclusionRadius(),
-          static_cast<double>(global.Extinction), progress))
+    // Where it is aborted, there is none.
+    bool isBuilt = false;
+    try
     {
-      global.SphericalOcclusion = &this->Occlusion;
-      global.SphericalOcclusionTime = this->Occlusion.GetBuildTime();
+      isBuilt = this->Occlusion.Build(model, this->Densities, illumination->GetOcclusionRadius(),
+        static_cast<double>(global.Extinction), progress);
     }
-    else
+    catch (const std::bad_alloc&)
     {
-      // It was aborted.
-      global.Occlusion = Illumination::NoOcclusion;
+      this->Occlusion.Initialize();
+      problem = "Occlusion is left out: there is not enough memory for it. Lower the Resolution.";
     }
+    global.Occlusion = isBuilt ? global.Occlusion : Illumination::NoOcclusion;
+    global.SphericalOcclusion = isBuilt ? &this->Occlusion : nullptr;
+    global.SphericalOcclusionTime = this->Occlusion.GetBuildTime();
   }
   if (this->GetLatestTime() != before)
   {
@@ -186,6 +205,10 @@ vtkMTimeType vtkVoxelLineLightFields::GetLatestTime() const
 bool vtkVoxelLineLightFields::UpdateDensities(
   const vtkVoxelLineFrame& frame, vtkVoxelLineModel* model)
 {
+  if (!AreIndicesSmall(model))
+  {
+    return false;
+  }
   this->Densities->SetOpacity(static_cast<double>(frame.Opacity));
   this->Densities->SetUseColorOpacity(frame.Coloring == vtkVoxelLineFrame::Direct);
   std::array<double, vtkVoxelLineDensities::TableSize> opacities;

@@ -61,18 +61,36 @@ public:
   // What has been said, so that it is said once.
   std::string LastError;
   std::string LastColorWarning;
-  std::set<std::pair<vtkMTimeType, int>> Warned;
+  std::set<std::string> WarnedTexts;
+  vtkMTimeType WarnedModel = 0;
+  std::set<int> WarnedKinds;
 
   // Reads what stands above.
   vtkVoxelLineReceivers Receivers;
 
-  // Say each kind of warning once for each model.
+  // Whether a kind of warning is to be said, once for each model; or, where it tells nothing about
+  // the model, once each text.
+  bool IsNews(int kind, const std::string& text)
+  {
+    if (kind >= vtkVoxelLineScene::NoGlobalLight)
+    {
+      return this->WarnedTexts.insert(text).second;
+    }
+    vtkVoxelLineModel* model = this->Source.GetModel();
+    const vtkMTimeType time = model ? model->GetMTime() : 0;
+    if (this->WarnedModel != time)
+    {
+      this->WarnedModel = time;
+      this->WarnedKinds.clear();
+    }
+    return this->WarnedKinds.insert(kind).second;
+  }
+
   void WarnOnce(vtkVoxelLineMapper* mapper, const vtkVoxelLineScene::Warnings& warnings)
   {
-    vtkVoxelLineModel* model = this->Source.GetModel();
     for (const auto& [kind, text] : warnings)
     {
-      if (this->Warned.emplace(model ? model->GetMTime() : 0, kind).second)
+      if (this->IsNews(kind, text))
       {
         vtkWarningWithObjectMacro(mapper, << text);
       }
@@ -539,7 +557,7 @@ void vtkVoxelLineMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   this->Internals->WarnOnce(this, warnings);
   // After the picture, which has brought the lookup table's range up to date.
   const std::string steps = vtkVoxelLineColoring::DescribeSteps(this, model);
-  if (!steps.empty() && this->Internals->Warned.emplace(model->GetMTime(), StepsWarning).second)
+  if (!steps.empty() && this->Internals->IsNews(StepsWarning, steps))
   {
     vtkWarningMacro(<< steps);
   }

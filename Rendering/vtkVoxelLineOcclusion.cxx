@@ -118,14 +118,16 @@ public:
   }
   float operator()(float depth) const
   {
-    const int i = static_cast<int>(depth * EntriesPerUnit + 0.5f);
-    return i < static_cast<int>(this->Values.size()) ? this->Values[static_cast<std::size_t>(i)]
-                                                     : 0.0f;
+    // Depths of dense sets are far beyond what a whole number holds.
+    return depth < LargestDepth
+      ? this->Values[static_cast<std::size_t>(depth * EntriesPerUnit + 0.5f)]
+      : 0.0f;
   }
 
 private:
   static constexpr int EntriesPerUnit = 512;
-  std::array<float, 6 * EntriesPerUnit> Values;
+  static constexpr float LargestDepth = 6.0f;
+  std::array<float, 6 * EntriesPerUnit + 1> Values;
 };
 
 /// What all threads read.
@@ -306,7 +308,8 @@ public:
   {
     const float* values = this->Values.data();
     const float own = values[this->Near[0].GetIndex(bit % 4, bit / 4 % 4, bit / 16)];
-    const float others = OwnPart * (own - own / static_cast<float>(segments));
+    const float others =
+      OwnPart * (own - own / static_cast<float>(std::max(segments, vtkIdType(1))));
     const std::uint16_t* index =
       this->Indices.data() + this->IndicesPerVoxel * static_cast<std::size_t>(bit);
     float light = 0.0f;
@@ -378,6 +381,10 @@ void AddNeighbors(BrickValues& values, std::size_t stride)
 void FillGaps(BrickValues& values)
 {
   const auto isGap = [](float value) { return value < 0.0f; };
+  if (std::all_of(values.begin(), values.end(), isGap))
+  {
+    values.fill(0.0f);
+  }
   while (std::any_of(values.begin(), values.end(), isGap))
   {
     BrickValues sums;

@@ -6,11 +6,11 @@
  *
  * Kanzler, Rautenhaus and Westermann, "A Voxel-based Rendering Pipeline for Large 3D Line Sets",
  * 2019, Sec. 4.1.3: the part of the light from all directions that lines stop within a radius,
- * for each voxel that holds lines. In place of rays it follows 14 cones through the densities, along
- * the axes and the diagonals, with the weights of Lebedev's rule of that many points, which
- * integrates polynomials of degree 5 exactly. A cone goes by steps of a voxel, of the level whose
- * voxels are as wide as it is there, and takes the density of the voxel it is in; it ends where
- * hardly any light is left. docs/design.md has errors and times of this and of other ways.
+ * for each voxel that holds lines; where they hold few, for every other one. In place of rays it
+ * follows 14 cones through the densities, along the axes and the diagonals, with the weights of
+ * Lebedev's rule of that many points, which integrates polynomials of degree 5 exactly. A cone goes
+ * by steps of a voxel, of the level whose voxels are as wide as it is there, and takes the density
+ * of the voxel it is in. docs/design.md has errors and times of this and of other ways.
  *
  * The other voxels of a brick get the mean of their neighbours that have a value, so that lookups
  * may interpolate within bricks.

@@ -202,6 +202,8 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
   this->UpdateLight(scene, wanted.Frame, warnings);
   this->QualityInUse = wanted.Frame.Interactive ? vtkVoxelLineMapper::InteractiveQuality
                                                 : vtkVoxelLineMapper::StillQuality;
+  this->IsCollected = this->IsCollected ||
+    (this->LeftFrame == wanted.FrameNumber && actor->IsRenderingTranslucentPolygonalGeometry());
   if (!this->Last.IsSame(wanted))
   {
     if (this->CanAdd(scene, wanted) && this->LeaveToTranslucentPass(scene, actor, wanted))
@@ -254,15 +256,20 @@ bool vtkVoxelLinePainter::CanAdd(const Scene& scene, const vtkVoxelLinePictureKe
 bool vtkVoxelLinePainter::LeaveToTranslucentPass(
   const Scene& scene, vtkActor* actor, const vtkVoxelLinePictureKey& wanted)
 {
+  // Where what was left in an earlier frame was not asked for, there is no translucent pass.
+  const bool isInVain = !this->IsCollected && this->LeftRenderer == wanted.Renderer &&
+    this->LeftFrame != wanted.FrameNumber;
   // Translucent lines are drawn in that pass already.
-  if (this->LeftFrame == wanted.FrameNumber || actor->IsRenderingTranslucentPolygonalGeometry() ||
-    actor->GetForceOpaque() || actor->GetForceTranslucent() || wanted.Frame.Opacity < 1.0f ||
+  if (isInVain || this->LeftFrame == wanted.FrameNumber ||
+    actor->IsRenderingTranslucentPolygonalGeometry() || actor->GetForceOpaque() ||
+    actor->GetForceTranslucent() || wanted.Frame.Opacity < 1.0f ||
     scene.Mapper->HasTranslucentPolygonalGeometry())
   {
     return false;
   }
   this->LeftFrame = wanted.FrameNumber;
   this->LeftRenderer = wanted.Renderer;
+  this->IsCollected = false;
   return true;
 }
 

@@ -150,6 +150,7 @@ private:
   // The frame in which opaque lines were left to the translucent pass, and its renderer.
   vtkIdType LeftFrame = -1;
   vtkWeakPointer<vtkRenderer> LeftRenderer;
+  bool IsCollected = true;
 
   int EngineInUse = 0;
   int QualityInUse = 0;

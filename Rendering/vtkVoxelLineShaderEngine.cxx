@@ -100,6 +100,8 @@ struct vtkVoxelLineShaderEngine::Internals
   void Forget();
   void Release();
   bool Check(vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame);
+  bool CheckTextures(vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model,
+    const vtkVoxelLineFrame& frame, bool hasScene, bool hasLevel);
   bool UploadModels(
     vtkOpenGLRenderWindow* window, vtkVoxelLineModel* model, vtkVoxelLineModel* level);
   bool UploadFields(vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame);
@@ -204,6 +206,27 @@ bool vtkVoxelLineShaderEngine::Internals::Check(
       "; the native engine takes any number.");
   }
   return true;
+}
+
+bool vtkVoxelLineShaderEngine::Internals::CheckTextures(vtkOpenGLRenderWindow* window,
+  vtkVoxelLineModel* model, const vtkVoxelLineFrame& frame, bool hasScene, bool hasLevel)
+{
+  const int attributes = frame.Coloring == vtkVoxelLineFrame::Uniform ? 0 : 1;
+  const int radii = model->GetRadii() ? 1 : 0;
+  const vtkVoxelLineGlobalLight& light = frame.Global;
+  // Grid, bricks, starts, segments and curves; the level has no curves.
+  const int textures = 5 + (model->GetCurveIdExtension() ? 1 : 0) + attributes + radii +
+    (hasLevel ? 4 + attributes + radii : 0) + (frame.Coloring == vtkVoxelLineFrame::Table ? 1 : 0) +
+    (hasScene ? 1 : 0) + (frame.Lighting && frame.Light.Table ? 1 : 0) + (light.Densities ? 1 : 0) +
+    (light.SphericalOcclusion ? 1 : 0);
+  int units = 0;
+  window->GetState()->vtkglGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
+  return textures <= units ||
+    this->Fail("This picture takes " + std::to_string(textures) +
+      " textures at once; a shader of this OpenGL reads at most " + std::to_string(units) +
+      " (GL_MAX_TEXTURE_IMAGE_UNITS). Use soft shadows in place of those of a level, colours "
+      "without "
+      "data, or the native engine.");
 }
 
 bool vtkVoxelLineShaderEngine::Internals::UploadModels(
@@ -405,9 +428,10 @@ bool vtkVoxelLineShaderEngine::Render(vtkOpenGLRenderWindow* window, vtkVoxelLin
   }
   vtkVoxelLineModel* level =
     frame.LevelRays && levelModel && levelModel->GetNumberOfSegments() > 0 ? levelModel : nullptr;
-  if (!data.Check(window, frame) || !data.UploadModels(window, model, level) ||
-    !data.UploadFields(window, frame) || !data.UploadTable(window, frame) ||
-    !data.PrepareTargets(window, frame.Width, frame.Height))
+  if (!data.Check(window, frame) ||
+    !data.CheckTextures(window, model, frame, sceneDepth != nullptr, level != nullptr) ||
+    !data.UploadModels(window, model, level) || !data.UploadFields(window, frame) ||
+    !data.UploadTable(window, frame) || !data.PrepareTargets(window, frame.Width, frame.Height))
   {
     return false;
   }

@@ -119,19 +119,25 @@ Real emptyReach(vec3 position)
   return Real(4 * max(-brickGridAt(voxel) - 1, 0));
 }
 
-// Where a ray leaves the grid, grown by a voxel.
-Real gridExit(vec3 origin, vec3 direction)
+// Where a ray enters and leaves the grid, grown by a voxel; enter is beyond leave where it misses it.
+void crossGrid(vec3 origin, vec3 direction, LS_OUT(Real) enter, LS_OUT(Real) leave)
 {
-  Real leave = Beyond;
+  enter = Real(0);
+  leave = Beyond;
   for (int axis = 0; axis < 3; ++axis)
   {
+    Real high = Real(GridDimensions[axis]) + Real(1);
     if (abs(direction[axis]) > Real(1e-6))
     {
-      Real side = direction[axis] > Real(0) ? Real(GridDimensions[axis]) + Real(1) : -Real(1);
-      leave = min(leave, (side - origin[axis]) / direction[axis]);
+      bool up = direction[axis] > Real(0);
+      enter = max(enter, ((up ? -Real(1) : high) - origin[axis]) / direction[axis]);
+      leave = min(leave, ((up ? high : -Real(1)) - origin[axis]) / direction[axis]);
+    }
+    else if (origin[axis] < -Real(1) || origin[axis] > high)
+    {
+      leave = -Real(1);
     }
   }
-  return leave;
 }
 
 // Optical depth of the lines from start to end of a cone. It is a voxel wide, and spread times its
@@ -141,9 +147,12 @@ Real gridExit(vec3 origin, vec3 direction)
 Real coneDepth(vec3 origin, vec3 direction, Real start, Real end, Real spread)
 {
   Real limit = DarkDepth / max(Extinction, Real(1e-20));
-  Real last = min(end, gridExit(origin, direction));
+  Real enter;
+  Real leave;
+  crossGrid(origin, direction, enter, leave);
+  Real last = min(end, leave);
   Real depth = Real(0);
-  Real t = start;
+  Real t = max(start, enter);
   int level = 0;
   ivec3 size = GridDimensions;
   Real edge = Real(1);
@@ -172,6 +181,12 @@ Real coneDepth(vec3 origin, vec3 direction, Real start, Real end, Real spread)
     }
     Real density = densityAt(position * perEdge, level, size);
     mayBeEmpty = density <= Real(0);
+    if (level + 1 == DensityLevels)
+    {
+      // Of a cone that is wider than all lines together they fill a part only.
+      Real part = edge / (Real(1) + spread * t);
+      density *= min(part * part, Real(1));
+    }
     depth += density * way;
     t += way;
   }

@@ -33,6 +33,8 @@
 const Real SurfaceTolerance = Real(2e-3);
 // The same on a level, in its voxels: a representative line so near stands for the point's own line.
 const Real LevelBias = Real(1.5);
+// A ray ends where no more than this is left of its light, which no picture of 8 bits shows.
+const Real DarkLight = Real(0.004);
 
 // Visits slabs until the light is gone.
 void followOcclusionRay(Real start, Real end)
@@ -43,7 +45,7 @@ void followOcclusionRay(Real start, Real end)
   Real widening = Real(way) * Ray.Radius;
   int slab = slabAt(origin + Ray.Direction[Ray.AxisW] * start - widening, slabs);
   int lastSlab = slabAt(origin + Ray.Direction[Ray.AxisW] * end + widening, slabs);
-  Real least = AllOpaque ? Real(0) : max(Real(1) - EarlyTermination, Real(0));
+  Real least = AllOpaque ? Real(0) : DarkLight;
 
   // Slabs from here on are judged together: all that may hold the tube in which the ray starts,
   // then one by one.

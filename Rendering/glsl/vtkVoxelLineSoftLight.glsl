@@ -128,7 +128,11 @@ Real densityOcclusion(vec3 direction)
 // What is left of all light where a part of the hemisphere is free.
 Real dimmedLight(Real visible)
 {
-  return OcclusionStrength == Real(1) ? visible : pow(max(visible, Real(0)), OcclusionStrength);
+  if (OcclusionStrength == Real(1) || OcclusionStrength <= Real(0))
+  {
+    return OcclusionStrength > Real(0) ? visible : Real(1);
+  }
+  return visible > Real(0) ? pow(visible, OcclusionStrength) : Real(0);
 }
 
 // The same where lines stop a part of the light from the sphere, half of which a surface hides by
