@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws the lines of a file (.vtp, .vtk) as tubes or as lit lines, into a window or a picture."""
 import argparse
+import os
 
 import vtkmodules.vtkInteractionStyle
 from linesets import vtkIlluminatedLineMapper, vtkVoxelLineMapper
@@ -29,10 +30,14 @@ options = parser.parse_args()
 if options.line_width is not None and (options.shadows, options.occlusion) != ("none", "none"):
     parser.error("--shadows and --occlusion are for tubes, not for --line-width")
 
+if not os.path.isfile(options.file):
+    parser.error(f"there is no file {options.file}")
 reader = vtkPolyDataReader() if options.file.endswith(".vtk") else vtkXMLPolyDataReader()
 reader.SetFileName(options.file)
 reader.Update()
 lines = reader.GetOutput()
+if lines.GetNumberOfLines() == 0:
+    parser.error(f"{options.file} holds no lines")
 if options.line_width is None:
     mapper = vtkVoxelLineMapper()
     mapper.SetRadius(options.radius)
@@ -43,8 +48,14 @@ else:
 mapper.SetInputData(lines)
 mapper.SetScalarVisibility(options.color_by is not None)
 if options.color_by:
-    on_points = lines.GetPointData().HasArray(options.color_by)
-    array = (lines.GetPointData() if on_points else lines.GetCellData()).GetArray(options.color_by)
+    array = lines.GetPointData().GetArray(options.color_by)
+    on_points = array is not None
+    if not on_points:
+        array = lines.GetCellData().GetArray(options.color_by)
+    if array is None:
+        names = [data.GetArrayName(i) or "" for data in (lines.GetPointData(), lines.GetCellData())
+                 for i in range(data.GetNumberOfArrays())]
+        parser.error(f'there is no array "{options.color_by}", but {" ".join(names) or "none"}')
     table = mapper.GetLookupTable()
     table.SetHueRange(0.667, 0.0)
     table.SetVectorModeToMagnitude()
