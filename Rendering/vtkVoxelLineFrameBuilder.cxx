@@ -202,7 +202,7 @@ bool AreSteppingAlike(const glm::vec3 a[3], const glm::vec3 b[3], float pixels)
 bool IsSameView(const vtkVoxelLineFrame& a, const vtkVoxelLineFrame& b)
 {
   constexpr float tolerance = 1e-5f;
-  const float pixels = static_cast<float>(std::max(a.Width, a.Height));
+  const float pixels = static_cast<float>(std::max({ a.Width, a.Height, 1 }));
   bool same = a.Width == b.Width && a.Height == b.Height &&
     AreSteppingAlike(a.Origin, b.Origin, pixels) &&
     AreSteppingAlike(a.Direction, b.Direction, pixels) &&

@@ -390,6 +390,11 @@ void CheckSamePicture(Checks& check)
   frame.Light.Lights.resize(1);
   frame.ClippingPlanes.emplace_back(1.0f);
   check(Builder::IsSamePicture(frame, frame), "a frame is the same as itself");
+  // A camera that is set to where it was need not get the very same numbers.
+  vtkVoxelLineFrame rounded = frame;
+  rounded.Origin[0] *= 1.0000002f;
+  rounded.NearestS *= 1.0000002f;
+  check(Builder::IsSamePicture(frame, rounded), "rounding makes no other picture");
   using Change = std::function<void(vtkVoxelLineFrame&)>;
   const std::vector<Change> changes = { [](vtkVoxelLineFrame& f) { f.Width = 3; },
     [](vtkVoxelLineFrame& f) { f.Height = 3; }, [](vtkVoxelLineFrame& f) { f.Origin[2].z = 0.0f; },
@@ -409,6 +414,12 @@ void CheckSamePicture(Checks& check)
     [](vtkVoxelLineFrame& f) { f.LitAsLines = true; },
     [](vtkVoxelLineFrame& f) { f.OpacityByPathLength = true; },
     [](vtkVoxelLineFrame& f) { f.Interactive = true; },
+    [](vtkVoxelLineFrame& f) { f.AccelerationOpacity = 0.5f; },
+    [](vtkVoxelLineFrame& f) { f.Global.Shadows = 1; },
+    [](vtkVoxelLineFrame& f) { f.Global.Occlusion = 1; },
+    [](vtkVoxelLineFrame& f) { f.Global.Lights.emplace_back(1.0f); },
+    [](vtkVoxelLineFrame& f) { f.Global.ConeSpread = 0.5f; },
+    [](vtkVoxelLineFrame& f) { f.Global.DensitiesTime = 3; },
     [](vtkVoxelLineFrame& f) { f.SecondaryRays = true; },
     [](vtkVoxelLineFrame& f) { f.LevelRays = true; },
     [](vtkVoxelLineFrame& f) { f.ShadowLevel = 2; },
