@@ -32,24 +32,133 @@ constexpr const char* Main = "void main(";
 constexpr const char* Lit = "(ambientColor + diffuse + specular, opacity);";
 constexpr const char* Unlit = "(ambientColor + diffuseColor, opacity);";
 constexpr const char* PhysicallyBased = "color += emissiveColor;";
-constexpr std::array<const char*, 4> FragmentKeys = { Main, Lit, Unlit, PhysicallyBased };
 
-// With what they are replaced.
+// What goes there.
 constexpr const char* AfterLit =
-  "\n  gl_FragData[0].rgb *= receivedOnSurface(vertexVC.xyz, normalVCVSOutput);\n";
-constexpr const char* AfterUnlit = "\n"
-                                   "#ifdef LineSetsLitLine\n"
+  "  gl_FragData[0].rgb *= receivedOnSurface(vertexVC.xyz, normalVCVSOutput);\n";
+constexpr const char* AfterUnlit = "#ifdef LineSetsLitLine\n"
                                    "  gl_FragData[0].rgb *= receivedOnLine();\n"
                                    "#else\n"
                                    "  gl_FragData[0].rgb *= receivedOnUnlit();\n"
                                    "#endif\n";
 constexpr const char* BeforePhysicallyBased =
-  "color *= receivedOnSurface(vertexVC.xyz, normalVCVSOutput);\n  ";
+  "color *= receivedOnSurface(vertexVC.xyz, normalVCVSOutput);\n";
 
 // Takes the place of what vtkIlluminatedLineMapper asks.
 constexpr const char* LineVisibility =
   "void beginLight(vec3 position) { receiveInView(position, vec3(0.0)); }\n"
   "float lightVisibility(int i) { return receivedPart(i); }\n";
+
+// Around what is put in, so that it is found again between what a user has put there.
+constexpr const char* Begin = "\n// Received from LineSets {\n";
+constexpr const char* End = "// } Received from LineSets\n";
+// Follows Begin where no user has replaced the key.
+constexpr const char* Alone = "// Without a replacement by a user.\n";
+
+// Where code goes in a user's replacement that does not hold the key, or holds it repeatedly.
+enum class Otherwise
+{
+  Nowhere,
+  Before,
+  After
+};
+
+struct Part
+{
+  vtkShader::Type Type;
+  const char* Key;
+  std::string Before;
+  std::string After;
+  Otherwise Place;
+};
+
+constexpr std::array<std::pair<vtkShader::Type, const char*>, 6> Keys = { {
+  { vtkShader::Fragment, Main },
+  { vtkShader::Fragment, Lit },
+  { vtkShader::Fragment, Unlit },
+  { vtkShader::Fragment, PhysicallyBased },
+  { vtkShader::Fragment, vtkIlluminatedLineShader::Visibility },
+  { vtkShader::Vertex, vtkIlluminatedLineShader::Visibility },
+} };
+
+struct Replacement
+{
+  bool IsThere = false;
+  std::string Code;
+  bool All = false;
+};
+
+Replacement GetReplacement(
+  vtkOpenGLShaderProperty* property, vtkShader::Type type, const std::string& key)
+{
+  for (const auto& [spec, value] : property->GetAllShaderReplacements())
+  {
+    if (spec.ShaderType == type && !spec.ReplaceFirst && spec.OriginalValue == key)
+    {
+      return { true, value.Replacement, value.ReplaceAll };
+    }
+  }
+  return {};
+}
+
+// What a user has put there, without what was put in here.
+Replacement GetUsers(Replacement present, const std::string& key)
+{
+  bool isAlone = false;
+  for (auto begin = present.Code.find(Begin); begin != std::string::npos;
+       begin = present.Code.find(Begin))
+  {
+    const auto end = present.Code.find(End, begin);
+    if (end == std::string::npos)
+    {
+      break;
+    }
+    const auto first = begin + std::string(Begin).size();
+    isAlone = isAlone || present.Code.compare(first, std::string(Alone).size(), Alone) == 0;
+    present.Code.erase(begin, end + std::string(End).size() - begin);
+  }
+  // More than the key only where a user has changed what was put in.
+  return isAlone && present.Code == key ? Replacement{} : present;
+}
+
+// Put code into a user's replacement, if there is one. Returns whether there is a place for it.
+bool Compose(const Part& part, Replacement& users)
+{
+  const auto enclose = [&users](const std::string& code)
+  { return code.empty() ? code : Begin + (users.IsThere ? "" : std::string(Alone)) + code + End; };
+  const std::string before = enclose(part.Before);
+  const std::string after = enclose(part.After);
+  const std::string key = part.Key;
+  std::string code = users.IsThere ? users.Code : key;
+  const auto found = code.find(key);
+  if (found != std::string::npos && code.find(key, found + 1) == std::string::npos)
+  {
+    code.replace(found, key.size(), before + key + after);
+  }
+  else if (part.Place == Otherwise::Before)
+  {
+    code.insert(0, before);
+  }
+  else
+  {
+    // Only after a statement.
+    const auto last = code.find_last_not_of(" \t\r\n");
+    if (part.Place == Otherwise::Nowhere || last == std::string::npos ||
+      (code[last] != ';' && code[last] != '}'))
+    {
+      return false;
+    }
+    code += after;
+  }
+  users.Code = code;
+  return true;
+}
+
+// The first line of a key.
+std::string GetName(const std::string& key)
+{
+  return key.substr(0, key.find('\n'));
+}
 
 glm::dmat4 FromRows(const double rows[16])
 {
@@ -158,7 +267,7 @@ std::string vtkVoxelLineReceiverShader::GetSource() const
 }
 
 //------------------------------------------------------------------------------
-void vtkVoxelLineReceiverShader::Install(vtkShaderProperty* property)
+std::string vtkVoxelLineReceiverShader::Install(vtkShaderProperty* property)
 {
   const std::string source = this->GetSource();
   std::ostringstream fragment;
@@ -173,50 +282,63 @@ void vtkVoxelLineReceiverShader::Install(vtkShaderProperty* property)
              << "(vertexVC.xyz, normalVCVSOutput)\n"
              << "#endif\n";
   }
-  fragment << Main;
-
-  const std::string lines = source + LineVisibility;
-  const std::array<std::pair<std::string, std::string>, 5> fragmentCode = {
-    { { Main, fragment.str() }, { Lit, std::string(Lit) + AfterLit },
-      { Unlit, std::string(Unlit) + AfterUnlit },
-      { PhysicallyBased, std::string(BeforePhysicallyBased) + PhysicallyBased },
-      { vtkIlluminatedLineShader::Visibility, lines } }
-  };
+  // The key itself is kept, too, so that a user's code is what remains without the rest.
+  const std::string lines = source + LineVisibility + "#if 0\n";
+  const char* asked = vtkIlluminatedLineShader::Visibility;
+  const std::array<Part, Keys.size()> parts = { {
+    { vtkShader::Fragment, Main, fragment.str(), {}, Otherwise::Nowhere },
+    { vtkShader::Fragment, Lit, {}, AfterLit, Otherwise::After },
+    { vtkShader::Fragment, Unlit, {}, AfterUnlit, Otherwise::After },
+    { vtkShader::Fragment, PhysicallyBased, BeforePhysicallyBased, {}, Otherwise::Before },
+    { vtkShader::Fragment, asked, lines, "#endif\n", Otherwise::Nowhere },
+    { vtkShader::Vertex, asked, lines, "#endif\n", Otherwise::Nowhere },
+  } };
   auto* shaders = vtkOpenGLShaderProperty::SafeDownCast(property);
-  const auto isThere = [shaders](
-                         vtkShader::Type type, const std::string& key, const std::string& code)
+  std::array<Replacement, Keys.size()> wanted;
+  for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    for (const auto& [spec, value] : shaders->GetAllShaderReplacements())
+    const Part& part = parts[i];
+    wanted[i] = GetUsers(GetReplacement(shaders, part.Type, part.Key), part.Key);
+    if (!Compose(part, wanted[i]))
     {
-      if (spec.ShaderType == type && !spec.ReplaceFirst && spec.OriginalValue == key)
-      {
-        return value.Replacement == code;
-      }
-    }
-    return false;
-  };
-  for (const auto& [key, code] : fragmentCode)
-  {
-    if (!isThere(vtkShader::Fragment, key, code))
-    {
-      shaders->AddFragmentShaderReplacement(key, false, code, false);
+      return "its vtkShaderProperty replaces \"" + GetName(part.Key) +
+        "\" by code that does not hold this once, where light would have to be put in.";
     }
   }
-  if (!isThere(vtkShader::Vertex, vtkIlluminatedLineShader::Visibility, lines))
+  for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    shaders->AddVertexShaderReplacement(vtkIlluminatedLineShader::Visibility, false, lines, false);
+    const Replacement present = GetReplacement(shaders, parts[i].Type, parts[i].Key);
+    if (!present.IsThere || present.Code != wanted[i].Code)
+    {
+      shaders->AddShaderReplacement(
+        parts[i].Type, parts[i].Key, false, wanted[i].Code, wanted[i].All);
+    }
   }
+  return {};
 }
 
 //------------------------------------------------------------------------------
-void vtkVoxelLineReceiverShader::Remove(vtkShaderProperty* property)
+void vtkVoxelLineReceiverShader::Remove(vtkShaderProperty* property) const
 {
-  for (const char* key : FragmentKeys)
+  auto* shaders = vtkOpenGLShaderProperty::SafeDownCast(property);
+  const std::string code = GetReplacement(shaders, vtkShader::Fragment, Main).Code;
+  if (code.find(Begin) != std::string::npos && code.find(this->Mark + "\n") == std::string::npos)
   {
-    property->ClearFragmentShaderReplacement(key, false);
+    return;
   }
-  property->ClearFragmentShaderReplacement(vtkIlluminatedLineShader::Visibility, false);
-  property->ClearVertexShaderReplacement(vtkIlluminatedLineShader::Visibility, false);
+  for (const auto& [type, key] : Keys)
+  {
+    const Replacement present = GetReplacement(shaders, type, key);
+    const Replacement users = GetUsers(present, key);
+    if (present.IsThere && !users.IsThere)
+    {
+      shaders->ClearShaderReplacement(type, key, false);
+    }
+    else if (present.Code != users.Code)
+    {
+      shaders->AddShaderReplacement(type, key, false, users.Code, users.All);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

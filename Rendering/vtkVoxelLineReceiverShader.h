@@ -14,8 +14,8 @@
  * - What VTK draws without light gets the mean of all lights.
  * - vtkIlluminatedLineMapper has functions of its own that ask for shadows, here replaced.
  *
- * Parts of VTK's lines are their keys: another replacement with the same key, which would take the
- * place of this one, is not to be expected.
+ * Parts of VTK's lines are their keys. Where a user has replaced one of them, the code is put into
+ * the user's and enclosed in comments, by which it is taken out again. Properties may be shared.
  */
 
 #ifndef vtkVoxelLineReceiverShader_h
@@ -40,11 +40,12 @@ public:
   void SetFrame(const vtkVoxelLineFrame& frame, const vtkVoxelLineFrameBuilder::View& view,
     const vtkVoxelLineFrameBuilder::Grid& grid, const int viewport[4]);
 
-  /// Put the code into a shader property, unless it is there already.
-  void Install(vtkShaderProperty* property);
+  /// Put the code into a shader property, unless it is there already. Returns an empty string, or
+  /// else which replacement by a user leaves no place for it; then nothing is put in.
+  std::string Install(vtkShaderProperty* property);
 
-  /// Take it out.
-  static void Remove(vtkShaderProperty* property);
+  /// Take it out unless it is of another number; what a user has put in remains.
+  void Remove(vtkShaderProperty* property) const;
 
   /// Whether a program holds code of this number.
   bool IsUsed(vtkShaderProgram* program) const;

@@ -7,8 +7,10 @@
 #include "vtkCommand.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLState.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 #include "vtkVoxelLineColoring.h"
@@ -73,6 +75,7 @@ public:
       { static_cast<Receiver*>(data)->Notice(event, program); });
     this->ActorTags[0] = actor->AddObserver(vtkCommand::ModifiedEvent, this->Command);
     this->ActorTags[1] = actor->AddObserver(IsReceiver, this->Command);
+    this->ActorTags[2] = actor->AddObserver(vtkCommand::DeleteEvent, this->Command);
     this->FollowMapper();
   }
 
@@ -81,16 +84,18 @@ public:
     this->Leave();
     if (this->Actor)
     {
-      this->Actor->RemoveObserver(this->ActorTags[0]);
-      this->Actor->RemoveObserver(this->ActorTags[1]);
+      for (const unsigned long tag : this->ActorTags)
+      {
+        this->Actor->RemoveObserver(tag);
+      }
     }
     this->SetMapper(nullptr);
   }
 
   vtkActor* GetActor() const { return this->Actor; }
 
-  /// Receive by the shader, with buffers, from now on.
-  void Receive(vtkVoxelLineReceiverBuffers* buffers)
+  /// Receive by the shader, with buffers, from now on. Returns an empty string, or else why not.
+  std::string Receive(vtkVoxelLineReceiverBuffers* buffers)
   {
     vtkShaderProperty* property = this->Actor->GetShaderProperty();
     if (this->Property != property)
@@ -98,8 +103,9 @@ public:
       this->Leave();
       this->Property = property;
     }
-    this->Shader.Install(property);
-    this->Buffers = buffers;
+    std::string error = this->Shader.Install(property);
+    this->Buffers = error.empty() ? buffers : nullptr;
+    return error;
   }
 
   /// Set nothing in the draw under way: another actor with the same mapper is drawn.
@@ -110,7 +116,7 @@ public:
   {
     if (this->Property)
     {
-      vtkVoxelLineReceiverShader::Remove(this->Property);
+      this->Shader.Remove(this->Property);
     }
     this->Property = nullptr;
     this->Buffers = nullptr;
@@ -129,6 +135,11 @@ private:
     if (event == vtkCommand::ModifiedEvent)
     {
       this->FollowMapper();
+    }
+    else if (event == vtkCommand::DeleteEvent)
+    {
+      // Deletes this, too.
+      this->Owner->Remove(this->Actor);
     }
     else if (event == vtkCommand::StartEvent)
     {
@@ -173,7 +184,7 @@ private:
   // Into which the code has been put.
   vtkWeakPointer<vtkShaderProperty> Property;
   vtkVoxelLineReceiverBuffers* Buffers = nullptr;
-  unsigned long ActorTags[2] = { 0, 0 };
+  unsigned long ActorTags[3] = { 0, 0, 0 };
   unsigned long MapperTags[2] = { 0, 0 };
 };
 
@@ -377,6 +388,49 @@ void vtkVoxelLineReceivers::TakeIllumination(vtkLineGlobalIllumination* wanted, 
 }
 
 //------------------------------------------------------------------------------
+vtkActor* vtkVoxelLineReceivers::FindDrawnBy(vtkMapper* mapper, vtkRenderer* renderer) const
+{
+  if (this->DrawnBy)
+  {
+    return this->DrawnBy;
+  }
+  // Not drawn yet. The receiver's renderer is looked at first, and visible actors before others.
+  std::vector<vtkRenderer*> renderers = { renderer };
+  vtkRendererCollection* all = renderer->GetRenderWindow()->GetRenderers();
+  vtkCollectionSimpleIterator cookie;
+  all->InitTraversal(cookie);
+  while (vtkRenderer* other = all->GetNextRenderer(cookie))
+  {
+    renderers.push_back(other);
+  }
+  vtkActor* hidden = nullptr;
+  for (vtkRenderer* each : renderers)
+  {
+    vtkNew<vtkPropCollection> parts;
+    vtkPropCollection* props = each->GetViewProps();
+    props->InitTraversal(cookie);
+    while (vtkProp* prop = props->GetNextProp(cookie))
+    {
+      prop->GetActors(parts);
+    }
+    parts->InitTraversal(cookie);
+    while (vtkProp* part = parts->GetNextProp(cookie))
+    {
+      auto* actor = vtkActor::SafeDownCast(part);
+      if (actor && actor->GetMapper() == mapper)
+      {
+        if (actor->GetVisibility())
+        {
+          return actor;
+        }
+        hidden = hidden ? hidden : actor;
+      }
+    }
+  }
+  return hidden;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkVoxelLineReceivers::Describe(
   Receiver& receiver, vtkRenderer* renderer, vtkVoxelLineFrame& frame, Warnings& warnings)
 {
@@ -401,22 +455,28 @@ std::string vtkVoxelLineReceivers::Describe(
   {
     return {};
   }
+  vtkActor* drawnBy = this->FindDrawnBy(scene.Mapper, renderer);
   Warnings ignored; // a picture of the lines tells them
   const vtkVoxelLineViews::Tubes tubes = scene.GetTubes(ignored);
   const vtkVoxelLineFrameBuilder::View view = vtkVoxelLineFrameBuilder::GetView(
-    renderer, this->DrawnBy ? this->DrawnBy.Get() : this->Nobody.Get(), viewport[2], viewport[3]);
+    renderer, drawnBy ? drawnBy : this->Nobody.Get(), viewport[2], viewport[3]);
   std::string error = vtkVoxelLineFrameBuilder::SetView(frame, view, tubes.Grid);
   if (!error.empty())
   {
     return error;
   }
-  vtkProperty* property = (this->DrawnBy ? this->DrawnBy.Get() : actor)->GetProperty();
+  vtkProperty* property = (drawnBy ? drawnBy : actor)->GetProperty();
   vtkVoxelLineFrameBuilder::SetProperty(frame, property);
   vtkVoxelLineFrameBuilder::SetLighting(
     frame, renderer, scene.Mapper->GetIllumination(), actor->GetProperty());
   vtkVoxelLineColoring::SetColors(frame, scene.Mapper, scene.Model);
   frame.Radius = static_cast<float>(tubes.Grid.Margin);
   vtkVoxelLineMapper* mapper = scene.Mapper;
+  if (mapper->GetAbortExecute() != 0)
+  {
+    // What was stopped in an earlier frame begins anew, as an executive has it.
+    mapper->SetAbortExecute(0);
+  }
   const std::string problem = this->Lines.Fields->Update(frame, scene.Model, this->Illumination,
     [mapper](double done)
     {
@@ -437,9 +497,30 @@ std::string vtkVoxelLineReceivers::Describe(
   {
     receiver.Shader.SetFrame(frame, view, tubes.Grid, viewport);
     this->WatchEnd(renderer);
-    receiver.Receive(buffers);
+    error = receiver.Receive(buffers);
   }
   return error;
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineReceivers::Pause(Receiver& receiver)
+{
+  // Another receiver with the same mapper is drawn, even by the same shaders: the code stays.
+  const auto isDrawn = [this, &receiver](const std::unique_ptr<Receiver>& other)
+  {
+    vtkActor* actor = other->GetActor();
+    return actor && receiver.GetActor() && other.get() != &receiver &&
+      actor->GetMapper() == receiver.GetActor()->GetMapper() && this->FindRenderer(actor);
+  };
+  if (std::any_of(this->Receivers.begin(), this->Receivers.end(), isDrawn))
+  {
+    receiver.Pause();
+  }
+  else
+  {
+    // An actor may be drawn where its renderer is not known; code without uniforms would fail.
+    receiver.Leave();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -450,13 +531,13 @@ void vtkVoxelLineReceivers::BeginDraw(Receiver& receiver)
   // would ask itself for its model without end.
   if (actor && vtkVoxelLineMapper::SafeDownCast(actor->GetMapper()))
   {
-    receiver.Pause();
+    receiver.Leave();
     return;
   }
   vtkRenderer* renderer = actor ? this->FindRenderer(actor) : nullptr;
   if (!renderer)
   {
-    receiver.Pause();
+    this->Pause(receiver);
     return;
   }
   Warnings warnings;

@@ -30,6 +30,7 @@
 #include <vector>
 
 class vtkActor;
+class vtkMapper;
 class vtkRenderer;
 class vtkVoxelLineLightFields;
 
@@ -77,8 +78,11 @@ private:
   class Receiver;
 
   void BeginDraw(Receiver& receiver);
+  void Pause(Receiver& receiver);
   std::string Describe(
     Receiver& receiver, vtkRenderer* renderer, vtkVoxelLineFrame& frame, Warnings& warnings);
+  /// The actor that has drawn the lines, or else the one that will; nullptr: none.
+  vtkActor* FindDrawnBy(vtkMapper* mapper, vtkRenderer* renderer) const;
   void TakeIllumination(vtkLineGlobalIllumination* wanted, Warnings& warnings);
   vtkRenderer* FindRenderer(vtkActor* actor);
   vtkVoxelLineReceiverBuffers* GetBuffers(vtkOpenGLRenderWindow* window);

@@ -105,8 +105,9 @@ float isAmongLines(vec3 position)
   return min(8.0 * sum, 1.0);
 }
 
-// Occlusion where there is none to be looked up: by the cones that vtkVoxelLineOcclusion
-// follows, along the axes and the diagonals.
+// Occlusion where there is none to be looked up: by cones in the directions of those that
+// vtkVoxelLineOcclusion follows, along the axes and the diagonals. Those take the densities of
+// whole voxels; these interpolate them, and have a spread of their own.
 float coneOcclusion(vec3 position)
 {
   if (emptyReach(position) >= OcclusionRadius)
