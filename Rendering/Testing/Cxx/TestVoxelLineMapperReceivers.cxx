@@ -4,113 +4,19 @@
 // Guards that other actors receive the shadows and the occlusion of a voxel mapper's lines: that
 // tubes of VTK look like the ray caster's own, light by light; that lines and physically based
 // surfaces receive; that nothing remains of it after removal; that changes take effect in the next
-// frame; that replaced kinds and misuse are told; that any order of deletion is safe; that users'
-// replacements with the same keys are kept; that null normals are lit; that stopped work is begun
-// anew; and that the order of drawing does not matter.
+// frame; that replaced kinds and misuse are told; and that any order of deletion is safe.
 
-#include "VoxelLineMapperTesting.h"
-#include "vtkCallbackCommand.h"
-#include "vtkFloatArray.h"
+#include "VoxelLineReceiverTesting.h"
 #include "vtkIlluminatedLineMapper.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
-#include "vtkLineGlobalIllumination.h"
 #include "vtkPNGWriter.h"
 #include "vtkPlaneSource.h"
-#include "vtkPointData.h"
 #include "vtkShaderProperty.h"
-#include "vtkTubeFilter.h"
 #include "vtkWindowToImageFilter.h"
 
-#include <functional>
-
-using namespace VoxelLineMapperTesting;
+using namespace VoxelLineReceiverTesting;
 
 namespace
 {
-using Global = vtkLineGlobalIllumination;
-
-constexpr double Radius = 0.03;
-
-// Lines in a tangle, so that about half of what is seen lies in shadow.
-vtkSmartPointer<vtkPolyData> MakeTangle()
-{
-  std::vector<Curve> curves(24);
-  for (std::size_t i = 0; i < curves.size(); ++i)
-  {
-    const double phase = 0.7 * static_cast<double>(i);
-    for (int k = 0; k <= 120; ++k)
-    {
-      const double s = 0.05 * k + phase;
-      curves[i].push_back({ std::cos(1.1 * s + phase) * (0.6 + 0.3 * std::sin(2.3 * phase)),
-        std::sin(0.9 * s) * (0.5 + 0.3 * std::cos(1.7 * phase)),
-        0.8 * std::sin(0.6 * s + 2.0 * phase) });
-    }
-  }
-  return MakeLines(curves);
-}
-
-vtkSmartPointer<vtkVoxelLineMapper> MakeCaster(vtkPolyData* lines)
-{
-  auto mapper = vtkSmartPointer<vtkVoxelLineMapper>::New();
-  mapper->SetInputData(lines);
-  mapper->SetRadius(Radius);
-  mapper->SetResolution(64);
-  return mapper;
-}
-
-vtkSmartPointer<vtkMapper> MakeTubes(vtkPolyData* lines)
-{
-  vtkNew<vtkTubeFilter> filter;
-  filter->SetInputData(lines);
-  filter->SetRadius(Radius);
-  filter->SetNumberOfSides(16);
-  filter->CappingOn();
-  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-  mapper->SetInputConnection(filter->GetOutputPort());
-  return mapper;
-}
-
-// A stage with light from above and from aside.
-struct LitStage : Stage
-{
-  LitStage(int width = 160, int height = 160, bool local = false)
-    : Stage(width, height)
-  {
-    SetScene(this->Renderer, local);
-  }
-
-  static void SetScene(vtkRenderer* renderer, bool local)
-  {
-    renderer->AutomaticLightCreationOff();
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToSceneLight();
-    light->SetPosition(1.0, 4.0, 2.0);
-    light->SetFocalPoint(0.0, 0.0, 0.0);
-    light->SetPositional(local);
-    light->SetConeAngle(90.0);
-    renderer->AddLight(light);
-    vtkNew<vtkLight> other;
-    other->SetLightTypeToSceneLight();
-    other->SetPosition(-3.0, 0.0, 2.0);
-    other->SetIntensity(0.4);
-    renderer->AddLight(other);
-    vtkCamera* camera = renderer->GetActiveCamera();
-    camera->SetPosition(2.4, 1.6, 2.8);
-    camera->SetFocalPoint(0.0, 0.0, 0.0);
-    camera->SetClippingRange(1.5, 7.0);
-    renderer->SetBackground(0.1, 0.2, 0.4);
-  }
-};
-
-void SetUp(vtkProperty* property)
-{
-  property->SetAmbient(0.1);
-  property->SetDiffuse(0.8);
-  property->SetSpecular(0.3);
-  property->SetSpecularPower(20.0);
-}
-
 void Save(vtkRenderWindow* window, const std::string& name)
 {
   const char* folder = std::getenv("LINESETS_SAVE");
@@ -204,48 +110,6 @@ void CheckTubes(Checks& check, int shadows, int occlusion, bool local, const std
   undrawn->SetGlobalIllumination(global);
   undrawn->AddReceiver(tubes);
   check(stage.Render().Bytes == lit.Bytes, name + ": lines that are not drawn cast the same");
-}
-
-// What a receiver looks like by itself: a stage made anew.
-using Change = std::function<void(vtkVoxelLineMapper* caster, vtkActor* tubes, LitStage& stage)>;
-
-struct Reception
-{
-  LitStage Stage{ 64, 64 };
-  vtkSmartPointer<vtkVoxelLineMapper> Caster;
-  vtkSmartPointer<vtkActor> Actor;
-
-  explicit Reception(vtkMapper* mapper, const Change& change = nullptr)
-  {
-    this->Caster = MakeCaster(MakeTangle());
-    this->Caster->GetGlobalIllumination()->SetShadowsToSoft();
-    this->Caster->GetGlobalIllumination()->SetOcclusionToSpherical();
-    this->Actor = this->Stage.Add(mapper);
-    SetUp(this->Actor->GetProperty());
-    this->Caster->AddReceiver(this->Actor);
-    if (change)
-    {
-      change(this->Caster, this->Actor, this->Stage);
-    }
-  }
-  Picture Render() { return this->Stage.Render(); }
-};
-
-// Not brighter anywhere, and darker somewhere. Returns the part that is darker.
-double CheckDarker(
-  Checks& check, const Picture& plain, const Picture& lit, const std::string& what, int most = 1)
-{
-  std::size_t darker = 0;
-  int brightest = 0;
-  for (std::size_t i = 0; i < plain.Bytes.size(); ++i)
-  {
-    darker += lit.Bytes[i] + 4 < plain.Bytes[i] ? 1 : 0;
-    brightest = std::max(brightest, lit.Bytes[i] - plain.Bytes[i]);
-  }
-  const double part = static_cast<double>(darker) / static_cast<double>(plain.Bytes.size());
-  check(brightest <= most, what + " is nowhere brighter: " + std::to_string(brightest));
-  check(part > 0.02, what + " is darker somewhere: " + std::to_string(part));
-  return part;
 }
 
 // A change takes effect at once, as if it had been so from the beginning.
@@ -392,144 +256,6 @@ void CheckShaders(Checks& check)
   unlit.Render();
   check(unlit.Actor->GetShaderProperty()->GetNumberOfShaderReplacements() == 0,
     "without lighting shaders stay as they are");
-}
-
-// Replacements of users with the same keys as ours.
-void CheckReplacements(Checks& check, Messages* messages)
-{
-  const std::string lit = "(ambientColor + diffuse + specular, opacity);";
-  const std::vector<std::pair<std::string, std::string>> replacements = {
-    { lit, lit + "\n  gl_FragData[0].g = 1.0;\n" },
-    { lit, "(diffuse + specular, 1.0);\n  gl_FragData[0].g = 1.0;\n" },
-    { "void main(", "float green() { return 1.0; }\nvoid main(" },
-    { "void main(", "void  main(" },
-  };
-  const auto tubes = MakeTubes(MakeTangle());
-  for (const auto& [key, code] : replacements)
-  {
-    const bool hasPlace = code != "void  main(";
-    Reception reception(tubes);
-    vtkShaderProperty* property = reception.Actor->GetShaderProperty();
-    const auto isKept = [property, &key, &code]
-    {
-      std::string name;
-      std::string present;
-      bool first = true;
-      bool all = false;
-      property->GetNthShaderReplacement(0, name, first, present, all);
-      return property->GetNumberOfShaderReplacements() == 1 && name == key && present == code &&
-        !first && all;
-    };
-    // Before the code is put in, and while it is there.
-    property->AddFragmentShaderReplacement(key, false, code, true);
-    const Picture received = reception.Render();
-    check(property->GetNumberOfShaderReplacements() == (hasPlace ? 6 : 1), code + ": put in");
-    property->AddFragmentShaderReplacement(key, false, code, true);
-    check(reception.Render().Bytes == received.Bytes, code + ": put in again");
-    check(messages->TakeWarnings("\"void main(\"") == (hasPlace ? 0 : 1), code + ": told");
-    reception.Caster->RemoveReceiver(reception.Actor);
-    check(isKept(), code + ": kept");
-    const Picture plain = reception.Render();
-    if (hasPlace)
-    {
-      CheckDarker(check, plain, received, code);
-    }
-    else
-    {
-      check(plain.Bytes == received.Bytes, code + ": without light");
-    }
-    int greenest = 0;
-    for (std::size_t i = 1; i < plain.Bytes.size(); i += 3)
-    {
-      greenest = std::max<int>(greenest, plain.Bytes[i]);
-    }
-    check(key != lit || greenest == 255, code + ": drawn");
-    check(messages->IsQuiet(), code + ": nothing else is said");
-  }
-
-  // Two receivers from different lines share their shaders.
-  Reception one(tubes);
-  const Picture alone = one.Render();
-  Reception other(tubes);
-  other.Actor->SetShaderProperty(one.Actor->GetShaderProperty());
-  for (int frame = 0; frame < 2; ++frame)
-  {
-    check(other.Render().Bytes == alone.Bytes, "shared shaders");
-    check(one.Render().Bytes == alone.Bytes, "shared shaders of the other one");
-  }
-  one.Caster->RemoveAllReceivers();
-  other.Caster->RemoveAllReceivers();
-  check(one.Actor->GetShaderProperty()->GetNumberOfShaderReplacements() == 0, "both are out");
-}
-
-// Far from all lines a surface with null normals looks as without them.
-void CheckNullNormals(Checks& check)
-{
-  vtkNew<vtkPlaneSource> source;
-  source->SetOrigin(-1.0, 6.0, -1.0);
-  source->SetPoint1(-1.0, 6.0, 1.0);
-  source->SetPoint2(1.0, 6.0, -1.0);
-  source->Update();
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(4);
-  normals->Fill(0.0);
-  source->GetOutput()->GetPointData()->SetNormals(normals);
-  vtkNew<vtkPolyDataMapper> plane;
-  plane->SetInputData(source->GetOutput());
-  Reception reception(plane,
-    [](vtkVoxelLineMapper* caster, vtkActor* actor, LitStage& stage)
-    {
-      caster->GetGlobalIllumination()->SetOcclusionToHemisphereDensity();
-      caster->GetGlobalIllumination()->SetOcclusionSamples(4);
-      actor->GetProperty()->SetAmbient(0.6);
-      vtkCamera* camera = stage.Renderer->GetActiveCamera();
-      camera->SetPosition(2.4, 9.0, 2.8);
-      camera->SetFocalPoint(0.0, 6.0, 0.0);
-      camera->SetClippingRange(1.0, 20.0);
-    });
-  const Picture received = reception.Render();
-  reception.Caster->RemoveAllReceivers();
-  const Difference difference = Compare(received, reception.Render());
-  check(difference.Largest <= 1, "null normals" + Describe(difference));
-}
-
-// What is stopped in a frame is computed in the next one.
-void CheckStop(Checks& check)
-{
-  const auto tubes = MakeTubes(MakeTangle());
-  Reception whole(tubes);
-  Reception stopped(tubes);
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback([](vtkObject* caster, unsigned long, void*, void*)
-    { static_cast<vtkVoxelLineMapper*>(caster)->SetAbortExecute(1); });
-  const unsigned long tag = stopped.Caster->AddObserver(vtkCommand::ProgressEvent, stop);
-  const Picture before = stopped.Render();
-  stopped.Caster->RemoveObserver(tag);
-  const Picture wanted = whole.Render();
-  check(before.Bytes != wanted.Bytes, "stopped");
-  check(stopped.Render().Bytes == wanted.Bytes, "begun anew");
-}
-
-// The first frame draws the receiver before the lines.
-void CheckOrder(Checks& check)
-{
-  Reception reception(MakeTubes(MakeTangle()),
-    [](vtkVoxelLineMapper* caster, vtkActor*, LitStage& stage)
-    {
-      auto own = stage.Add(caster, 0.0);
-      own->GetProperty()->SetOpacity(0.4);
-      own->SetPosition(0.1, 0.2, 0.0);
-      // Its picture is not compared.
-      stage.Renderer->RemoveActor(own);
-      vtkNew<vtkRenderer> other;
-      LitStage::SetScene(other, false);
-      other->AddActor(own);
-      other->SetViewport(0.0, 0.0, 0.01, 0.01);
-      stage.Window->AddRenderer(other);
-    });
-  const Picture first = reception.Render();
-  check(reception.Render().Bytes == first.Bytes, "lines that are drawn later");
 }
 
 // A surface among lines: dimmed also where voxels hold none.
@@ -743,11 +469,7 @@ int TestVoxelLineMapperReceivers(int, char*[])
   check(messages->IsQuiet(), "nothing is said of lines");
   CheckShaders(check);
   check(messages->IsQuiet(), "nothing is said of shaders");
-  CheckReplacements(check, messages);
   CheckSurface(check);
-  CheckNullNormals(check);
-  CheckStop(check);
-  CheckOrder(check);
   CheckPlacement(check);
   check(messages->IsQuiet(), "nothing is said of places");
   CheckWindows(check, messages);
