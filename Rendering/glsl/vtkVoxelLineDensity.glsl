@@ -129,9 +129,11 @@ void crossGrid(vec3 origin, vec3 direction, LS_OUT(Real) enter, LS_OUT(Real) lea
     Real high = Real(GridDimensions[axis]) + Real(1);
     if (abs(direction[axis]) > Real(1e-6))
     {
-      bool up = direction[axis] > Real(0);
-      enter = max(enter, ((up ? -Real(1) : high) - origin[axis]) / direction[axis]);
-      leave = min(leave, ((up ? high : -Real(1)) - origin[axis]) / direction[axis]);
+      Real perUnit = Real(1) / direction[axis];
+      Real t0 = (-Real(1) - origin[axis]) * perUnit;
+      Real t1 = (high - origin[axis]) * perUnit;
+      enter = max(enter, min(t0, t1));
+      leave = min(leave, max(t0, t1));
     }
     else if (origin[axis] < -Real(1) || origin[axis] > high)
     {
