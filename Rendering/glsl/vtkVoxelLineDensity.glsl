@@ -9,8 +9,8 @@
 // Real fetchDensity(int level, int i), DensityLevels, and Extinction, by which a density is
 // multiplied to give the optical depth per voxel.
 
-// Beyond this optical depth less than 0.4 % of the light is left.
-const Real DarkDepth = Real(5.5);
+// Beyond this optical depth less than 1 % of the light is left.
+const Real DarkDepth = Real(4.6);
 
 ivec3 levelSize(int level)
 {
@@ -43,17 +43,20 @@ Real mixDensities(int level, int first, int strideY, int strideZ, vec3 part)
 
 // The same where some voxels may lie in other bricks, of level 0, or outside the grid, where there is
 // nothing: voxel has the lowest index along each axis.
-Real mixSeparateDensities(int level, ivec3 voxel, ivec3 size, vec3 part)
+Real mixSeparateDensities(int level, ivec3 voxel, ivec3 size, vec3 part, bool inside)
 {
   ivec3 last = size - ivec3(1);
   ivec3 low = clamp(voxel, ivec3(0), last);
   ivec3 high = clamp(voxel + ivec3(1), ivec3(0), last);
   vec3 lowWeight = vec3(Real(1)) - part;
   vec3 highWeight = part;
-  for (int axis = 0; axis < 3; ++axis)
+  if (!inside)
   {
-    lowWeight[axis] = low[axis] == voxel[axis] ? lowWeight[axis] : Real(0);
-    highWeight[axis] = high[axis] == voxel[axis] + 1 ? highWeight[axis] : Real(0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lowWeight[axis] = low[axis] == voxel[axis] ? lowWeight[axis] : Real(0);
+      highWeight[axis] = high[axis] == voxel[axis] + 1 ? highWeight[axis] : Real(0);
+    }
   }
   // Both sides' share of the brick's cell and of the place in it, axis by axis; without bricks of
   // the place alone.
@@ -64,23 +67,25 @@ Real mixSeparateDensities(int level, ivec3 voxel, ivec3 size, vec3 part)
   ivec3 lowPlace = (level == 0 ? low & 3 : low) * places;
   ivec3 highPlace = (level == 0 ? high & 3 : high) * places;
   Real sum = Real(0);
-  for (int corner = 0; corner < 8; ++corner)
+  for (int corner = 0; corner < 4; ++corner)
   {
-    bool highX = (corner & 1) != 0;
-    bool highY = (corner & 2) != 0;
-    bool highZ = (corner & 4) != 0;
-    int place = (highX ? highPlace.x : lowPlace.x) + (highY ? highPlace.y : lowPlace.y) +
-      (highZ ? highPlace.z : lowPlace.z);
-    Real weight = (highX ? highWeight.x : lowWeight.x) * (highY ? highWeight.y : lowWeight.y) *
-      (highZ ? highWeight.z : lowWeight.z);
-    if (level == 0)
+    bool highY = (corner & 1) != 0;
+    bool highZ = (corner & 2) != 0;
+    int cell = (highY ? highCell.y : lowCell.y) + (highZ ? highCell.z : lowCell.z);
+    int place = (highY ? highPlace.y : lowPlace.y) + (highZ ? highPlace.z : lowPlace.z);
+    Real weight = (highY ? highWeight.y : lowWeight.y) * (highZ ? highWeight.z : lowWeight.z);
+    int lowBrick = level == 0 ? fetchBrickGrid(cell + lowCell.x) : 0;
+    int highBrick = highCell.x == lowCell.x || level > 0 ? lowBrick : fetchBrickGrid(cell + highCell.x);
+    Real row = Real(0);
+    if (lowBrick >= 0)
     {
-      int brick = fetchBrickGrid((highX ? highCell.x : lowCell.x) + (highY ? highCell.y : lowCell.y) +
-        (highZ ? highCell.z : lowCell.z));
-      weight = brick < 0 ? Real(0) : weight;
-      place += 64 * max(brick, 0);
+      row = lowWeight.x * fetchDensity(level, 64 * lowBrick + place + lowPlace.x);
     }
-    sum += weight * fetchDensity(level, place);
+    if (highBrick >= 0)
+    {
+      row += highWeight.x * fetchDensity(level, 64 * highBrick + place + highPlace.x);
+    }
+    sum += weight * row;
   }
   return sum;
 }
@@ -104,7 +109,7 @@ Real densityAt(vec3 x, int level, ivec3 size)
     int brick = brickGridAt(voxel);
     return brick < 0 ? Real(0) : mixDensities(0, 64 * brick + voxelInBrick(voxel), 4, 16, part);
   }
-  return mixSeparateDensities(level, voxel, size, part);
+  return mixSeparateDensities(level, voxel, size, part, inside);
 }
 
 // How far around a position all bricks are empty, in voxels; 0 near the grid's border and outside.
