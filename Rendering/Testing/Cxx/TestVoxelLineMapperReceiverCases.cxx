@@ -46,6 +46,7 @@ void CheckReplacements(Checks& check, Messages* messages)
     {
       // Shadows would be received without this key.
       reception.Caster->GetGlobalIllumination()->SetShadowsToNone();
+      reception.Caster->GetGlobalIllumination()->SetOcclusionStrength(3.0);
     }
     // Before the code is put in, and while it is there.
     property->AddFragmentShaderReplacement(key, false, code, true);
