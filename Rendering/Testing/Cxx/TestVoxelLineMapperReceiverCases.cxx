@@ -46,7 +46,8 @@ void CheckReplacements(Checks& check, Messages* messages)
     {
       // Shadows would be received without this key.
       reception.Caster->GetGlobalIllumination()->SetShadowsToNone();
-      reception.Caster->GetGlobalIllumination()->SetOcclusionStrength(3.0);
+      reception.Caster->GetGlobalIllumination()->SetOcclusionToHemisphereDensity();
+      reception.Caster->GetGlobalIllumination()->SetOcclusionSamples(8);
     }
     // Before the code is put in, and while it is there.
     property->AddFragmentShaderReplacement(key, false, code, true);
