@@ -218,8 +218,9 @@ public:
    * tells them (Kanzler et al., Secs. 4.1.2 and 4.1.3): those of vtkIlluminatedLineMapper and of
    * VTK's vtkPolyDataMapper by OpenGL, whatever they draw. This mapper itself needs no actor: its
    * input and its parameters tell which lines cast shadows. Where it was drawn, the lines have
-   * the matrix and the opacity of the actor that drew it last; else the coordinates of the data are
-   * taken for the world's, and the opacity is that of the receiving actor.
+   * the matrix and the opacity of the actor that drew it last, before its first frame those of an
+   * actor of the same window that has this mapper; where there is none, the coordinates of the data
+   * are taken for the world's, and the opacity is that of the receiving actor.
    *
    * Other mappers cannot follow rays through the tubes: hard shadows and those of a level are
    * replaced by soft ones, HemisphereTubes by HemisphereDensity, and a warning says so once. What

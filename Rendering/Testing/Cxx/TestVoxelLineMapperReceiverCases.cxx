@@ -42,6 +42,13 @@ void CheckReplacements(Checks& check, Messages* messages)
       return property->GetNumberOfShaderReplacements() == 1 && name == key && present == code &&
         !first && all;
     };
+    if (key == lit)
+    {
+      // Shadows would be received without this key.
+      reception.Caster->GetGlobalIllumination()->SetShadowsToNone();
+      reception.Caster->GetGlobalIllumination()->SetOcclusionToHemisphereDensity();
+      reception.Caster->GetGlobalIllumination()->SetOcclusionSamples(8);
+    }
     // Before the code is put in, and while it is there.
     property->AddFragmentShaderReplacement(key, false, code, true);
     const Picture received = reception.Render();
