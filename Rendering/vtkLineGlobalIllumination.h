@@ -163,9 +163,6 @@ protected:
   double OcclusionStrength = 1.0;
 
 private:
-  template <typename T>
-  void SetInRange(const char* name, T& member, T value, T lowest, T highest);
-
   vtkLineGlobalIllumination(const vtkLineGlobalIllumination&) = delete;
   void operator=(const vtkLineGlobalIllumination&) = delete;
 };

@@ -8,6 +8,7 @@
 #include "vtkInformation.h"
 #include "vtkLineGlobalIllumination.h"
 #include "vtkLineIllumination.h"
+#include "vtkLineSetsCheckedValue.h"
 #include "vtkLineVoxelizer.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -149,24 +150,6 @@ void vtkVoxelLineMapper::SetInputData(vtkVoxelLineModel* input)
 }
 
 //------------------------------------------------------------------------------
-template <typename T>
-void vtkVoxelLineMapper::SetInRange(const char* name, T& member, T value, T lowest, T highest)
-{
-  // NaN is in no range.
-  if (!(value >= lowest && value <= highest))
-  {
-    vtkErrorMacro(<< name << " " << value << " is not valid: it must be from " << lowest << " to "
-                  << highest << ". It stays " << member << ".");
-    return;
-  }
-  if (member != value)
-  {
-    member = value;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkVoxelLineMapper::SetRadius(double radius)
 {
   if (!std::isfinite(radius) || radius < 0.0)
@@ -195,8 +178,8 @@ void vtkVoxelLineMapper::SetRadiusArrayName(const std::string& name)
 //------------------------------------------------------------------------------
 void vtkVoxelLineMapper::SetResolution(int resolution)
 {
-  this->SetInRange<int>(
-    "Resolution", this->Resolution, resolution, 1, vtkLineVoxelizer::LargestResolution);
+  vtkLineSetsSetInRange<int>(
+    this, "Resolution", this->Resolution, resolution, 1, vtkLineVoxelizer::LargestResolution);
 }
 
 //------------------------------------------------------------------------------
@@ -235,13 +218,15 @@ void vtkVoxelLineMapper::SetInteriorTolerance(double tolerance)
 //------------------------------------------------------------------------------
 void vtkVoxelLineMapper::SetEarlyTermination(double opacity)
 {
-  this->SetInRange<double>("EarlyTermination", this->EarlyTermination, opacity, 0.0, 1.0);
+  vtkLineSetsSetInRange<double>(
+    this, "EarlyTermination", this->EarlyTermination, opacity, 0.0, 1.0);
 }
 
 //------------------------------------------------------------------------------
 void vtkVoxelLineMapper::SetOpacityAcceleration(double opacity)
 {
-  this->SetInRange<double>("OpacityAcceleration", this->OpacityAcceleration, opacity, 0.0, 1.0);
+  vtkLineSetsSetInRange<double>(
+    this, "OpacityAcceleration", this->OpacityAcceleration, opacity, 0.0, 1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -350,7 +335,7 @@ void vtkVoxelLineMapper::SetEngine(int engine)
 //------------------------------------------------------------------------------
 void vtkVoxelLineMapper::SetAccumulationFrames(int frames)
 {
-  this->SetInRange<int>("AccumulationFrames", this->AccumulationFrames, frames, 1,
+  vtkLineSetsSetInRange<int>(this, "AccumulationFrames", this->AccumulationFrames, frames, 1,
     vtkVoxelLineAccumulator::LargestNumber);
 }
 

@@ -420,8 +420,6 @@ private:
   vtkVoxelLineMapper(const vtkVoxelLineMapper&) = delete;
   void operator=(const vtkVoxelLineMapper&) = delete;
 
-  template <typename T>
-  void SetInRange(const char* name, T& member, T value, T lowest, T highest);
   void WarnOnce(std::string& last, const std::string& warning);
   void ErrorOnce(const std::string& error);
 

@@ -3,12 +3,13 @@
 //
 // Casts one ray through a voxel line model. Common subset of GLSL and C++ with GLM.
 //
-// The ray goes through the grid slab by slab along the axis nearest to its direction. A tube reaches
-// out of the voxel that holds its segment by up to the radius; so each slab is visited over the
-// ray's way through the slab widened by the radius, and with all voxels that lie within
-// the radius of that way. The radius is the largest one that the ray may meet: where tubes are thinner
-// than a pixel they are drawn as wide as one. Thereby every segment near the ray is tested exactly once, and whatever
-// later slabs hold begins behind the start of the next widened slab: hits before it can be blended.
+// The ray goes through the grid slab by slab along the axis nearest to its direction. A tube
+// reaches out of the voxel that holds its segment by up to the radius; so each slab is visited over
+// the ray's way through the slab widened by the radius, and with all voxels that lie within the
+// radius of that way. The radius is the largest one that the ray may meet: where tubes are thinner
+// than a pixel they are drawn as wide as one. Thereby every segment near the ray is tested exactly
+// once, and whatever later slabs hold begins behind the start of the next widened slab: hits before
+// it can be blended.
 //
 // Hits wait in a small buffer, ordered by (entry, segment). Where it overflows, the ray
 // remembers the first hit that did not fit, blends what comes before, and visits the slabs again for
@@ -17,10 +18,11 @@
 // A curve gives one layer for each stretch of the ray inside its tubes: hits come in order of entry,
 // and one that begins before its curve's last exit only prolongs that stretch.
 //
-// With Interactive, the ray looks only into the voxels that it passes (Kanzler, Rautenhaus and Westermann 2019, Sec. 4.1): slabs are
-// not widened, and what reaches out of its voxel is missing where the ray passes other voxels only.
-// Hits are then blended up to where the next slab begins; one that is found later and begins before,
-// since its tube reaches into the slab before its own, is blended late.
+// With Interactive, the ray looks only into the voxels that it passes (Kanzler, Rautenhaus and
+// Westermann 2019, Sec. 4.1): slabs are not widened, and what reaches out of its voxel is missing
+// where the ray passes other voxels only. Hits are then blended up to where the next slab begins;
+// one that is found later and begins before, since its tube reaches into the slab before its own,
+// is blended late.
 //
 // Where the ray starts inside a tube (camera or clipping plane inside), the tube's far wall is seen:
 // its layer is put off until the ray leaves the tube.
@@ -28,16 +30,19 @@
 // While hits are blended, further rays may be cast towards lights: vtkVoxelLineOcclusionRay.glsl.
 //
 // The engine supplies what vtkVoxelLineFrame and vtkVoxelLineModel tell: GridDimensions,
-// BrickDimensions, Radius, LargestRadius, ThinTubes, NarrowTubes, LitAsLines, HasRadii, SegmentWords, FaceBits, InteriorBins, IdExtension, Coloring,
-// HasNaN, AmbientColor, DiffuseColor, Ambient, Diffuse, Opacity, Lighting, AllOpaque, Picking,
-// Interactive, OpacityByPathLength (false where AllOpaque is set), EarlyTermination, Accelerating and AccelerationOpacity, at which the rest of a ray goes by densities, NormalFromLocal, ViewFromLocal; the constants HitCapacity, ActiveCapacity,
-// InsideCapacity and Beyond, a distance that no ray reaches; and
+// BrickDimensions, Radius, LargestRadius, ThinTubes, NarrowTubes, LitAsLines, HasRadii,
+// SegmentWords, FaceBits, InteriorBins, IdExtension, Coloring, HasNaN, AmbientColor, DiffuseColor,
+// Ambient, Diffuse, Opacity, Lighting, AllOpaque, Picking, Interactive, OpacityByPathLength (false
+// where AllOpaque is set), EarlyTermination, Accelerating and AccelerationOpacity, at which the
+// rest of a ray goes by densities, NormalFromLocal, ViewFromLocal; the constants HitCapacity,
+// ActiveCapacity, InsideCapacity and Beyond, a distance that no ray reaches; and
 //   int fetchBrickGrid(int), uvec4 fetchBrick(int), uint fetchBrickFirstCurve(int),
 //   uint fetchVoxelStart(uint), uint fetchSegmentWord(uint), uint fetchIdExtension(uint),
 //   uint fetchBrickCurve(uint), Real fetchScalar(uint), vec4 fetchColor(uint), Real fetchRadius(uint),
 //   vec4 fetchTable(int), int countBits(uint), int lowestBit(uint), Real exactValue(uint),
 //   void beginRay(), void beginCandidates(uint, uint, vec3), uint nextCandidate(uint, uint): they leave
-//   out segments of a voxel that the ray cannot hit, where an engine tells so faster than the traversal.
+//   out segments of a voxel that the ray cannot hit, where an engine tells so faster than the
+//   traversal.
 
 void castRay(vec3 origin, vec3 direction, Real start, Real end)
 {
