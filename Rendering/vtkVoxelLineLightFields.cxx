@@ -18,10 +18,6 @@
 
 namespace
 {
-// Cones of soft shadows begin so far outside the tube, in voxels: densities reach about as far from
-// the line itself. The measurement is in docs/global-illumination.md.
-constexpr float ConeMargin = 0.75f;
-
 // Mean of the sine of the angle between a ray and a line of any direction: what part of a line's
 // length counts from the side.
 constexpr double MeanSine = 0.25 * 3.14159265358979323846;
@@ -82,7 +78,7 @@ std::string SetParameters(vtkVoxelLineFrame& frame, Illumination* illumination)
   global.OcclusionStrength = static_cast<float>(illumination->GetOcclusionStrength());
   const double halfAngle = vtkMath::RadiansFromDegrees(0.5 * illumination->GetShadowConeAngle());
   global.ConeSpread = static_cast<float>(2.0 * std::tan(halfAngle));
-  global.ConeStart = frame.Radius + ConeMargin;
+  global.ConeStart = frame.Radius + vtkVoxelLineLightFields::ConeMargin;
   global.Extinction = static_cast<float>(2.0 * MeanSine * static_cast<double>(frame.Radius));
   frame.SecondaryRays = global.Shadows == Illumination::HardShadows ||
     global.Occlusion == Illumination::HemisphereTubes;

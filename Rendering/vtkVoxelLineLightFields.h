@@ -29,6 +29,10 @@ class vtkVoxelLineModel;
 class VTKRENDERINGLINESETS_EXPORT vtkVoxelLineLightFields
 {
 public:
+  /// Cones of soft shadows begin so far outside the tube, in voxels: densities reach about as far
+  /// from the line itself. The measurement is in docs/global-illumination.md.
+  static constexpr float ConeMargin = 0.75f;
+
   vtkVoxelLineLightFields();
   ~vtkVoxelLineLightFields();
 

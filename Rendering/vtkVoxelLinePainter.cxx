@@ -199,7 +199,8 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
   {
     return error;
   }
-  this->UpdateLight(scene, wanted.Frame, warnings);
+  scene.UpdateLight(
+    this->LightFields, scene.Mapper->GetGlobalIllumination(), wanted.Frame, warnings);
   this->QualityInUse = wanted.Frame.Interactive ? vtkVoxelLineMapper::InteractiveQuality
                                                 : vtkVoxelLineMapper::StillQuality;
   this->IsCollected = this->IsCollected ||
@@ -219,29 +220,6 @@ std::string vtkVoxelLinePainter::DrawPicture(const Scene& scene, vtkRenderer* re
     this->Last = std::move(wanted);
   }
   return this->Layer.Draw(window, scene.Mapper, actor, viewport[0], viewport[1]);
-}
-
-//------------------------------------------------------------------------------
-void vtkVoxelLinePainter::UpdateLight(
-  const Scene& scene, vtkVoxelLineFrame& frame, Warnings& warnings)
-{
-  vtkVoxelLineMapper* mapper = scene.Mapper;
-  if (mapper->GetAbortExecute() != 0)
-  {
-    // What was stopped in an earlier frame begins anew, as an executive has it.
-    mapper->SetAbortExecute(0);
-  }
-  const std::string problem =
-    this->LightFields.Update(frame, scene.Model, mapper->GetGlobalIllumination(),
-      [mapper](double done)
-      {
-        mapper->UpdateProgress(done);
-        return mapper->GetAbortExecute() == 0;
-      });
-  if (!problem.empty())
-  {
-    warnings[Scene::NoGlobalLight] = problem;
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -119,7 +119,6 @@ private:
     const vtkVoxelLineFrame& frame, Warnings& warnings);
   std::string ShowPicture(vtkOpenGLRenderWindow* window, const vtkVoxelLineFrame& frame,
     const vtkVoxelLinePicture& picture);
-  void UpdateLight(const Scene& scene, vtkVoxelLineFrame& frame, Warnings& warnings);
   bool CanAdd(const Scene& scene, const vtkVoxelLinePictureKey& wanted) const;
   bool LeaveToTranslucentPass(
     const Scene& scene, vtkActor* actor, const vtkVoxelLinePictureKey& wanted);

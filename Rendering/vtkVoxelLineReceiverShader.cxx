@@ -6,6 +6,7 @@
 #include "vtkOpenGLShaderProperty.h"
 #include "vtkShaderProgram.h"
 #include "vtkVoxelLineDensities.h"
+#include "vtkVoxelLineLightFields.h"
 
 #include "vtkVoxelLineDensity.h"
 #include "vtkVoxelLineReceiver.h"
@@ -20,9 +21,6 @@
 
 namespace
 {
-// As in vtkVoxelLineLightFields: cones begin so far outside a tube.
-constexpr float ConeMargin = 0.75f;
-
 // Surfaces are looked up below themselves by the radius of the lines, at most by so many voxels:
 // the densities of a line reach no farther from it.
 constexpr float DeepestSurface = 1.0f;
@@ -229,7 +227,7 @@ void vtkVoxelLineReceiverShader::SetFrame(const vtkVoxelLineFrame& frame,
   this->Weights.resize(this->Global.Lights.size(), 1.0f);
   this->DensityLevels = frame.Global.Densities ? frame.Global.Densities->GetNumberOfLevels() : 0;
   this->SurfaceDepth = std::min(frame.Radius, DeepestSurface);
-  this->Global.ConeStart = this->SurfaceDepth + ConeMargin;
+  this->Global.ConeStart = this->SurfaceDepth + vtkVoxelLineLightFields::ConeMargin;
   this->GridSize = glm::vec3(grid.Dimensions[0], grid.Dimensions[1], grid.Dimensions[2]);
 
   // First the two that may hold large opposite translations, then the small scale.

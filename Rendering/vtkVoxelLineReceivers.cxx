@@ -471,22 +471,7 @@ std::string vtkVoxelLineReceivers::Describe(
     frame, renderer, scene.Mapper->GetIllumination(), actor->GetProperty());
   vtkVoxelLineColoring::SetColors(frame, scene.Mapper, scene.Model);
   frame.Radius = static_cast<float>(tubes.Grid.Margin);
-  vtkVoxelLineMapper* mapper = scene.Mapper;
-  if (mapper->GetAbortExecute() != 0)
-  {
-    // What was stopped in an earlier frame begins anew, as an executive has it.
-    mapper->SetAbortExecute(0);
-  }
-  const std::string problem = this->Lines.Fields->Update(frame, scene.Model, this->Illumination,
-    [mapper](double done)
-    {
-      mapper->UpdateProgress(done);
-      return mapper->GetAbortExecute() == 0;
-    });
-  if (!problem.empty())
-  {
-    warnings[vtkVoxelLineScene::NoGlobalLight] = problem;
-  }
+  scene.UpdateLight(*this->Lines.Fields, this->Illumination, frame, warnings);
   if (frame.Global.Shadows == 0 && frame.Global.Occlusion == 0)
   {
     return {};

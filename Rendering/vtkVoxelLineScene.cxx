@@ -5,6 +5,7 @@
 #include "vtkActor.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkVoxelLineLightFields.h"
 #include "vtkVoxelLineMapper.h"
 #include "vtkVoxelLineModel.h"
 
@@ -63,6 +64,27 @@ void vtkVoxelLineScene::Widen(
       << " voxels wide: for speed, some lines are missed and others are drawn less transparent"
          " in exchange. Lower the Resolution for views from so far away.";
     warnings[HugePixels] = message.str();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineScene::UpdateLight(vtkVoxelLineLightFields& fields,
+  vtkLineGlobalIllumination* illumination, vtkVoxelLineFrame& frame, Warnings& warnings) const
+{
+  vtkVoxelLineMapper* mapper = this->Mapper;
+  if (mapper->GetAbortExecute() != 0)
+  {
+    mapper->SetAbortExecute(0);
+  }
+  const std::string problem = fields.Update(frame, this->Model, illumination,
+    [mapper](double done)
+    {
+      mapper->UpdateProgress(done);
+      return mapper->GetAbortExecute() == 0;
+    });
+  if (!problem.empty())
+  {
+    warnings[NoGlobalLight] = problem;
   }
 }
 

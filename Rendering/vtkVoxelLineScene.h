@@ -22,9 +22,11 @@
 #include <string>
 
 class vtkActor;
+class vtkLineGlobalIllumination;
 class vtkPolyData;
 class vtkRenderWindow;
 class vtkRenderer;
+class vtkVoxelLineLightFields;
 class vtkVoxelLineMapper;
 class vtkVoxelLineModel;
 
@@ -63,6 +65,13 @@ struct vtkVoxelLineScene
   /// Set the widths of the tubes in a frame with a view.
   void Widen(
     const vtkVoxelLineViews::Tubes& tubes, vtkVoxelLineFrame& frame, Warnings& warnings) const;
+
+  /**
+   * Bring up to date what shadows and occlusion of a frame are looked up in; the mapper tells the
+   * progress, and what was aborted in an earlier frame begins anew, as an executive has it.
+   */
+  void UpdateLight(vtkVoxelLineLightFields& fields, vtkLineGlobalIllumination* illumination,
+    vtkVoxelLineFrame& frame, Warnings& warnings) const;
 
   /// Whether every line of a frame is opaque, direct colours included.
   bool IsOpaque(const vtkVoxelLineFrame& frame) const;
