@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIlluminatedLineShader.h"
 
+#include "vtkLineSetsShaderCode.h"
 #include "vtkShaderProgram.h"
+
+using vtkLineSetsShaderCode::HandOn;
+using vtkLineSetsShaderCode::InsertBefore;
 
 namespace
 {
@@ -29,29 +33,6 @@ constexpr const char* LitColor = "  ambientColor += diffuseColor * lineDiffuseVS
                                  "    lineSpecularColor * lineSpecularVSOutput;\n"
                                  "  diffuseColor = vec3(0.0);\n"
                                  "  //VTK::Light::Impl\n";
-
-// Put code before what the superclass will put at a place of a shader.
-void InsertBefore(vtkShader* shader, const std::string& place, const std::string& code)
-{
-  std::string source = shader->GetSource();
-  vtkShaderProgram::Substitute(source, place, code + place, false);
-  shader->SetSource(source);
-}
-
-// Declares a value that goes from the vertex shader to the fragment shader, and hands it through
-// the geometry shader, where there is one.
-void HandOn(
-  std::map<vtkShader::Type, vtkShader*>& shaders, const std::string& type, const std::string& name)
-{
-  const std::string before = type + " " + name + "VSOutput";
-  const std::string after = type + " " + name + "GSOutput";
-  InsertBefore(shaders[vtkShader::Vertex], "//VTK::Light::Dec", "out " + before + ";\n");
-  InsertBefore(shaders[vtkShader::Geometry], "//VTK::Light::Dec",
-    "in " + before + "[];\nout " + after + ";\n");
-  InsertBefore(shaders[vtkShader::Geometry], "//VTK::Light::Impl",
-    name + "GSOutput = " + name + "VSOutput[i];\n");
-  InsertBefore(shaders[vtkShader::Fragment], "//VTK::Light::Dec", "in " + before + ";\n");
-}
 }
 
 //------------------------------------------------------------------------------

@@ -67,6 +67,14 @@ void vtkLineSetsBufferTexture::Deactivate()
 }
 
 //------------------------------------------------------------------------------
+void vtkLineSetsBufferTexture::Download(void* data, std::size_t bytes)
+{
+  this->Buffer->Bind();
+  glGetBufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
+  this->Buffer->Release();
+}
+
+//------------------------------------------------------------------------------
 bool vtkLineSetsBufferTexture::IsGone() const
 {
   return this->Bytes > 0 && this->Texture->GetHandle() == 0;

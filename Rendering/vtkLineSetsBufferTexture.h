@@ -38,6 +38,12 @@ public:
   void Activate(vtkShaderProgram* program, const char* name);
   void Deactivate();
 
+  /// Copy the buffer's first bytes back from the graphics device.
+  void Download(void* data, std::size_t bytes);
+
+  /// The texture, for what VTK has no call for.
+  vtkTextureObject* GetTexture() const { return this->Texture; }
+
   /// Whether its texture has gone with its context, after it was uploaded.
   bool IsGone() const;
 

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFourierOpacityMapper
+ * @brief   draws points, lines and surfaces and fades what hides the important ones
+ *
+ * Takes the place of a vtkPolyDataMapper. An array tells how important each point or cell is, and
+ * the opacity of everything follows from it for each view: what is important stays opaque, what lies
+ * before it or clutters the view behind it fades (Baeza Rojo, Gross and Guenther, "Fourier Opacity
+ * Optimization for Scalable Exploration", IEEE TVCG 26(11), 2020). vtkOpacityOptimization has the
+ * parameters and tells the method.
+ *
+ * @code{.cpp}
+ * vtkNew<vtkFourierOpacityMapper> mapper;
+ * mapper->SetInputConnection(streamTracer->GetOutputPort());
+ * mapper->SetImportanceArrayName("Vorticity");
+ * actor->SetMapper(mapper);
+ * @endcode
+ *
+ * Fragments are blended in order of depth without sorting them, in memory that depends on the size
+ * of the picture alone.
+ *
+ * <b>Several actors.</b> By itself the mapper optimizes and blends its own actor only; to the rest
+ * of the scene it is one translucent layer. vtkFourierOpacityPass does it for all actors of a
+ * renderer together, so that they fade for each other.
+ *
+ * <b>What is drawn</b> is what vtkIlluminatedLineMapper draws: vertices, lines, polygons and strips;
+ * lines are lit as thin cylinders, surfaces as VTK lights them. Colours by scalars, clipping
+ * planes, textures and selection are those of vtkPolyDataMapper. The optimized opacity multiplies
+ * that of colours and property. Everything is drawn in the translucent pass.
+ *
+ * <b>Segments.</b> Opacity belongs to segments of lines, patches of surfaces and single points, and
+ * is interpolated between their centres. Where the input lacks the arrays of vtkOpacitySegments, the
+ * mapper runs that filter once for each new input. Where a cell is drawn between points of different
+ * segments, it counts as its last point's.
+ *
+ * <b>Selection</b> leaves out what is fainter than 0.1 in the last picture of the renderer.
+ *
+ * <b>Needs</b> OpenGL 4.2. Where there is less, an error says so, once, and nothing is drawn by this
+ * mapper; the rest of the scene is. Wrong input costs nothing but itself: without a usable array
+ * nothing is important, and everything is opaque; a warning tells it once.
+ *
+ * @sa vtkFourierOpacityPass vtkOpacityOptimization vtkOpacitySegments vtkIlluminatedLineMapper
+ */
+
+#ifndef vtkFourierOpacityMapper_h
+#define vtkFourierOpacityMapper_h
+
+#include "vtkIlluminatedLineMapper.h"
+#include "vtkRenderingLineSetsModule.h" // For export macro
+
+#include <map>    // For the shaders
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkFourierOpacityPainter;
+class vtkOpacityOptimization;
+
+class VTKRENDERINGLINESETS_EXPORT vtkFourierOpacityMapper : public vtkIlluminatedLineMapper
+{
+public:
+  static vtkFourierOpacityMapper* New();
+  vtkTypeMacro(vtkFourierOpacityMapper, vtkIlluminatedLineMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * How opacity is optimized; may be shared by several mappers. Default: an object of the
+   * mapper's own; nullptr brings such a one back. Without effect in a vtkFourierOpacityPass, which
+   * has its own.
+   */
+  virtual void SetOptimization(vtkOpacityOptimization* optimization);
+  vtkOpacityOptimization* GetOptimization();
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array that tells importance, of points or else of cells; of several components
+   * the length counts. A point of several cells is as important as the most important one. Default
+   * empty: the active scalars.
+   */
+  virtual void SetImportanceArrayName(const std::string& name);
+  vtkGetMacro(ImportanceArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Values of the array that count as unimportant and as most important, 0 and 1; others lie
+   * between or are clamped. Default (1, 0): the first is above the second, and the range of the
+   * array's finite values counts. NaN is an error.
+   */
+  virtual void SetImportanceRange(double low, double high);
+  void SetImportanceRange(const double range[2])
+  {
+    this->SetImportanceRange(range[0], range[1]);
+  }
+  vtkGetVector2Macro(ImportanceRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of segments into which all lines are cut, 1 to 2^24-1, where the input has none. Default
+   * 50000, paper 20 000 to 150 000.
+   */
+  virtual void SetNumberOfLineSegments(int number);
+  vtkGetMacro(NumberOfLineSegments, int);
+  ///@}
+
+  ///@{
+  /**
+   * Number of patches into which all surfaces are cut, 1 to 2^24-1, where the input has none.
+   * Default 500, as in the paper.
+   */
+  virtual void SetNumberOfPatches(int number);
+  vtkGetMacro(NumberOfPatches, int);
+  ///@}
+
+  /// Bytes on the graphics device for sums, layers and opacities, of the mapper by itself; and those
+  /// of the sums alone, which the paper counts. 0 before the first picture.
+  vtkIdType GetNumberOfBytes();
+  vtkIdType GetNumberOfSumBytes();
+
+  bool HasOpaqueGeometry() override { return false; }
+  bool HasTranslucentPolygonalGeometry() override { return true; }
+
+  vtkMTimeType GetMTime() override;
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+
+protected:
+  vtkFourierOpacityMapper();
+  ~vtkFourierOpacityMapper() override;
+
+  void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
+  bool GetNeedToRebuildShaders(
+    vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderValues(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderRenderPass(std::map<vtkShader::Type, vtkShader*> shaders,
+    vtkRenderer* renderer, vtkActor* actor, bool prePass) override;
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+
+  std::string ImportanceArrayName;
+  double ImportanceRange[2] = { 1.0, 0.0 };
+  int NumberOfLineSegments = 50000;
+  int NumberOfPatches = 500;
+
+private:
+  friend class vtkFourierOpacityPainter;
+  friend class vtkFourierOpacityPass;
+
+  vtkFourierOpacityMapper(const vtkFourierOpacityMapper&) = delete;
+  void operator=(const vtkFourierOpacityMapper&) = delete;
+
+  struct Access;
+  friend struct vtkFourierOpacityAccess;
+  void RenderAlone(vtkRenderer* renderer, vtkActor* actor);
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

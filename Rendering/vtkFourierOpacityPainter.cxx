@@ -1,0 +1,679 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFourierOpacityPainter.h"
+
+#define LINESETS_USE_OPENGL
+#include "vtkLineSetsCompatibilityPrivate.h"
+
+#include "vtkActor.h"
+#include "vtkFourierOpacityMapper.h"
+#include "vtkFourierOpacityStages.h"
+#include "vtkOpacityOptimization.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace
+{
+// The image unit of the smallest opacities.
+constexpr unsigned int SmallestUnit = 0;
+
+/// State that draws change; it is as before when this ends.
+class SavedState
+{
+public:
+  explicit SavedState(vtkOpenGLState* state)
+    : Bindings(state)
+    , Viewport(state)
+    , Scissor(state)
+    , ClearColor(state)
+    , ColorMask(state)
+    , DepthMask(state)
+    , DepthFunction(state)
+    , Blending(state)
+    , ScissorTest(state, GL_SCISSOR_TEST)
+    , Blend(state, GL_BLEND)
+    , DepthTest(state, GL_DEPTH_TEST)
+#ifdef GL_MULTISAMPLE
+    , Multisample(state, GL_MULTISAMPLE)
+#endif
+  {
+  }
+
+private:
+  struct FramebufferBindings
+  {
+    explicit FramebufferBindings(vtkOpenGLState* state)
+      : State(state)
+    {
+      state->PushFramebufferBindings();
+    }
+    ~FramebufferBindings() { this->State->PopFramebufferBindings(); }
+    vtkOpenGLState* State;
+  };
+
+  FramebufferBindings Bindings;
+  vtkOpenGLState::ScopedglViewport Viewport;
+  vtkOpenGLState::ScopedglScissor Scissor;
+  vtkOpenGLState::ScopedglClearColor ClearColor;
+  vtkOpenGLState::ScopedglColorMask ColorMask;
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglDepthFunc DepthFunction;
+  vtkOpenGLState::ScopedglBlendFuncSeparate Blending;
+  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable DepthTest;
+#ifdef GL_MULTISAMPLE
+  vtkOpenGLState::ScopedglEnableDisable Multisample;
+#endif
+};
+
+/// Textures that programs read, until Clear().
+class ActiveTextures
+{
+public:
+  ActiveTextures() = default;
+  ~ActiveTextures() { this->Clear(); }
+  ActiveTextures(const ActiveTextures&) = delete;
+  void operator=(const ActiveTextures&) = delete;
+
+  void Clear()
+  {
+    for (vtkTextureObject* texture : this->Textures)
+    {
+      texture->Deactivate();
+    }
+    this->Textures.clear();
+    this->Names.clear();
+  }
+
+  void Add(const std::string& name, vtkTextureObject* texture)
+  {
+    if (texture && texture->GetHandle() != 0)
+    {
+      texture->Activate();
+      this->Names.push_back(name);
+      this->Textures.push_back(texture);
+    }
+  }
+
+  void SetParameters(vtkShaderProgram* program) const
+  {
+    for (std::size_t i = 0; i < this->Names.size(); ++i)
+    {
+      if (program->IsUniformUsed(this->Names[i].c_str()))
+      {
+        program->SetUniformi(this->Names[i].c_str(), this->Textures[i]->GetTextureUnit());
+      }
+    }
+  }
+
+private:
+  std::vector<std::string> Names;
+  std::vector<vtkTextureObject*> Textures;
+};
+
+// What each draw writes where there are more sums than targets of one draw.
+std::vector<vtkFourierOpacityStages::Outputs> PartOutputs(int sums, bool bounds, int most)
+{
+  std::vector<vtkFourierOpacityStages::Outputs> parts;
+  for (int first = 0; first < sums; first += most)
+  {
+    parts.push_back({ first, std::min(sums - first, most), false });
+  }
+  if (bounds)
+  {
+    if (parts.empty() || parts.back().Count == most)
+    {
+      parts.push_back({ sums, 0, false });
+    }
+    parts.back().Bounds = true;
+  }
+  return parts;
+}
+
+void SetIfUsed(vtkShaderProgram* program, const char* name, int value)
+{
+  if (program->IsUniformUsed(name))
+  {
+    program->SetUniformi(name, value);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkFourierOpacityPainter::Quad
+{
+  std::string Source;
+  std::unique_ptr<vtkOpenGLQuadHelper> Helper;
+};
+
+//------------------------------------------------------------------------------
+struct vtkFourierOpacityPainter::View
+{
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkFourierOpacityElements Elements;
+  vtkFourierOpacityView Last;
+  bool HasLast = false;
+  std::chrono::steady_clock::time_point Time;
+};
+
+//------------------------------------------------------------------------------
+struct vtkFourierOpacityPainter::Frame
+{
+  vtkOpenGLRenderWindow* Window;
+  vtkOpenGLState* State;
+  vtkRenderer* Renderer;
+  const std::vector<Item>& Items;
+  vtkOpacityOptimization* Optimization;
+  const DrawFunction& DrawItem;
+  vtkFourierOpacityView Now;
+  vtkFourierOpacityStages Stages;
+  vtkFourierOpacityPainter::View& View;
+  vtkTextureObject* Scene = nullptr;
+  int Reduction = 1;
+  int ReducedSize[2] = { 0, 0 };
+  int MostTargets = 8;
+  double Blend = 1.0;
+  ActiveTextures Textures;
+};
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityPainter::vtkFourierOpacityPainter() = default;
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityPainter::~vtkFourierOpacityPainter() = default;
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityPainter::Check(vtkOpenGLRenderWindow* window)
+{
+  int major = 0;
+  int minor = 0;
+  window->GetOpenGLVersion(major, minor);
+  if (major < 4 || (major == 4 && minor < 2))
+  {
+    return "OpenGL " + std::to_string(major) + "." + std::to_string(minor) +
+      " has no images that shaders write to: opacity optimization needs OpenGL 4.2. "
+      "vtkIlluminatedLineMapper and vtkVoxelLineMapper need 3.2.";
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityPainter::View& vtkFourierOpacityPainter::GetView(vtkRenderer* renderer)
+{
+  this->Views.remove_if([](const std::unique_ptr<View>& view) { return !view->Renderer; });
+  for (const std::unique_ptr<View>& view : this->Views)
+  {
+    if (view->Renderer == renderer)
+    {
+      return *view;
+    }
+  }
+  this->Views.push_back(std::make_unique<View>());
+  this->Views.back()->Renderer = renderer;
+  return *this->Views.back();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityPainter::Prepare(Frame& frame)
+{
+  std::vector<vtkFourierOpacityElements::Group> groups;
+  for (const Item& item : frame.Items)
+  {
+    groups.push_back(item.Mapper->GetElements());
+  }
+  frame.View.Elements.SetGroups(groups);
+
+  const auto time = std::chrono::steady_clock::now();
+  const double transition = frame.Optimization->GetTransitionTime();
+  if (transition > 0.0 && frame.View.HasLast && !frame.View.Last.IsJump(frame.Now))
+  {
+    const double seconds =
+      std::chrono::duration<double>(time - frame.View.Time).count();
+    frame.Blend = vtkOpacitySmoothing::GetBlend(seconds, transition);
+  }
+  frame.View.Last = frame.Now;
+  frame.View.HasLast = true;
+  frame.View.Time = time;
+
+  int draws = 8;
+  int attachments = 8;
+  frame.State->vtkglGetIntegerv(GL_MAX_DRAW_BUFFERS, &draws);
+  frame.State->vtkglGetIntegerv(GL_MAX_COLOR_ATTACHMENTS, &attachments);
+  frame.MostTargets = std::min(draws, attachments);
+  frame.Reduction = frame.Optimization->GetImportanceReduction();
+  for (int i = 0; i < 2; ++i)
+  {
+    frame.ReducedSize[i] = (frame.Now.Size[i] + frame.Reduction - 1) / frame.Reduction;
+  }
+
+  vtkFourierOpacityTargets::Layout layout;
+  layout.Width = frame.Now.Size[0];
+  layout.Height = frame.Now.Size[1];
+  layout.Sums = frame.Stages.Sums;
+  layout.BoundsWidth = frame.Stages.HasBounds ? frame.ReducedSize[0] : 0;
+  layout.BoundsHeight = frame.Stages.HasBounds ? frame.ReducedSize[1] : 0;
+  layout.HasCounts = !frame.Stages.HasSums;
+  layout.HasOpaqueLayer = frame.Stages.HasOpaqueLayer;
+  layout.HasPicture = true;
+  return this->Targets.Prepare(frame.Window, layout);
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityPainter::SetCommonParameters(const Frame& frame, vtkShaderProgram* program)
+{
+  if (program->IsUniformUsed("fourierProjection"))
+  {
+    const double* from = frame.Now.Projection;
+    const float projection[4] = { static_cast<float>(from[0]), static_cast<float>(from[1]),
+      static_cast<float>(from[2]), static_cast<float>(from[3]) };
+    program->SetUniform4f("fourierProjection", projection);
+  }
+  if (program->IsUniformUsed("fourierRange"))
+  {
+    const double near = frame.Now.Range[0];
+    const double far = frame.Now.Range[1];
+    const double size = frame.Stages.IsLogarithmic ? std::log(far / near) : far - near;
+    const float range[2] = { static_cast<float>(near), static_cast<float>(1.0 / size) };
+    program->SetUniform2f("fourierRange", range);
+  }
+  if (program->IsUniformUsed("fourierWeights"))
+  {
+    vtkOpacityOptimization* from = frame.Optimization;
+    const float weights[4] = { static_cast<float>(from->GetRegularizationWeight()),
+      static_cast<float>(from->GetForegroundWeight()),
+      static_cast<float>(from->GetBackgroundWeight()), static_cast<float>(from->GetEmphasis()) };
+    program->SetUniform4f("fourierWeights", weights);
+  }
+  if (program->IsUniformUsed("fourierSize"))
+  {
+    program->SetUniform2i("fourierSize", frame.Now.Size);
+  }
+  SetIfUsed(program, "fourierReduction", frame.Reduction);
+  SetIfUsed(program, "fourierElementShift", this->Shift);
+  SetIfUsed(program, "fourierSmallest", static_cast<int>(SmallestUnit));
+  frame.Textures.SetParameters(program);
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityPainter::DrawStage(Frame& frame, vtkFourierOpacityStage& stage)
+{
+  stage.SetParameters = [&](vtkShaderProgram* program)
+  {
+    this->SetCommonParameters(frame, program);
+    SetIfUsed(program, "fourierFirstElement", stage.FirstElement);
+  };
+  for (std::size_t i = 0; i < frame.Items.size(); ++i)
+  {
+    stage.FirstElement = static_cast<int>(frame.View.Elements.GetFirstElement(i));
+    frame.DrawItem(frame.Items[i], stage);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityPainter::UploadElements(Frame& frame, const std::vector<float>& values,
+  vtkLineSetsBufferTexture& buffer, unsigned int format)
+{
+  const int type = format == GL_R32F ? VTK_FLOAT : VTK_UNSIGNED_INT;
+  return buffer.Upload(frame.Window, values.data(), values.size(), sizeof(float), format, 1, type)
+    ? std::string()
+    : "There is no memory on the graphics device for the opacities of " +
+      std::to_string(values.size()) + " segments.";
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityPainter::SumImportance(Frame& frame)
+{
+  const int sums = frame.Stages.Exact ? 0 : static_cast<int>(this->Targets.Sums.size());
+  const bool hasBounds = frame.Stages.HasBounds;
+  frame.State->vtkglDisable(GL_DEPTH_TEST);
+  frame.State->vtkglDepthMask(GL_FALSE);
+  frame.State->vtkglEnable(GL_BLEND);
+  frame.State->vtkglBlendFunc(GL_ONE, GL_ONE);
+  frame.State->vtkglViewport(0, 0, frame.ReducedSize[0], frame.ReducedSize[1]);
+  frame.Textures.Add("fourierScene", frame.Scene);
+  for (const auto& outputs : PartOutputs(sums, frame.Stages.HasBounds, frame.MostTargets))
+  {
+    const auto first = this->Targets.Sums.begin() + outputs.First;
+    std::vector<vtkTextureObject*> targets(first, first + outputs.Count);
+    if (outputs.Bounds)
+    {
+      targets.push_back(this->Targets.Bounds);
+    }
+    this->Targets.Bind(targets, nullptr);
+    frame.State->vtkglClear(GL_COLOR_BUFFER_BIT);
+    // Each target has its blend equation, of which VTK's state knows nothing.
+    const auto boundsTarget = static_cast<unsigned int>(outputs.Count);
+    if (outputs.Bounds)
+    {
+      glBlendEquationi(boundsTarget, GL_MAX);
+    }
+    vtkFourierOpacityStage stage = frame.Stages.SumImportance(outputs);
+    this->DrawStage(frame, stage);
+    if (outputs.Bounds)
+    {
+      glBlendEquationi(boundsTarget, GL_FUNC_ADD);
+    }
+  }
+  frame.Textures.Clear();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityPainter::FindOpacities(Frame& frame)
+{
+  vtkFourierOpacityElements& elements = frame.View.Elements;
+  const vtkIdType count = std::max<vtkIdType>(elements.GetNumberOfElements(), 1);
+  // Where the device takes fewer places than there are elements, neighbours share one.
+  int most = 0;
+  frame.State->vtkglGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  this->Shift = 0;
+  while (((count - 1) >> this->Shift) >= most)
+  {
+    ++this->Shift;
+  }
+  std::vector<float> values(static_cast<std::size_t>(((count - 1) >> this->Shift) + 1),
+    vtkFourierOpacityElements::NotSeen);
+  // Floats that are not negative are in the order of their bits.
+  std::string error = this->UploadElements(frame, values, this->Smallest, GL_R32UI);
+  if (!error.empty())
+  {
+    return error;
+  }
+  frame.State->vtkglViewport(0, 0, frame.ReducedSize[0], frame.ReducedSize[1]);
+  frame.State->vtkglDisable(GL_DEPTH_TEST);
+  frame.State->vtkglDisable(GL_BLEND);
+  frame.State->vtkglDepthMask(GL_FALSE);
+  frame.State->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  this->Targets.Bind({ this->Targets.Colors }, nullptr);
+  this->AddSumTextures(frame);
+  frame.Textures.Add("fourierScene", frame.Scene);
+  glBindImageTexture(SmallestUnit, this->Smallest.GetTexture()->GetHandle(), 0, GL_FALSE, 0,
+    GL_READ_WRITE, GL_R32UI);
+  vtkFourierOpacityStage stage = frame.Stages.FindOpacities();
+  this->DrawStage(frame, stage);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindImageTexture(SmallestUnit, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+  frame.Textures.Clear();
+  frame.State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+
+  this->Smallest.Download(values.data(), values.size() * sizeof(float));
+  elements.Update(
+    values, this->Shift, frame.Optimization->GetSmoothingIterations(), frame.Blend);
+  return this->UploadOpacities(frame, values);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityPainter::UploadOpacities(Frame& frame, std::vector<float>& values)
+{
+  const std::vector<float>& opacities = frame.View.Elements.GetOpacities();
+  if (this->Shift == 0 && !opacities.empty())
+  {
+    return this->UploadElements(frame, opacities, this->Opacities, GL_R32F);
+  }
+  std::fill(values.begin(), values.end(), 1.0f);
+  for (std::size_t i = 0; i < opacities.size(); ++i)
+  {
+    float& value = values[i >> this->Shift];
+    value = std::min(value, opacities[i]);
+  }
+  return this->UploadElements(frame, values, this->Opacities, GL_R32F);
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityPainter::AddSumTextures(Frame& frame)
+{
+  for (std::size_t i = 0; i < this->Targets.Sums.size(); ++i)
+  {
+    frame.Textures.Add("fourierSums" + std::to_string(i), this->Targets.Sums[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityPainter::DrawOpaqueLayer(Frame& frame)
+{
+  frame.State->vtkglViewport(0, 0, frame.Now.Size[0], frame.Now.Size[1]);
+  frame.State->vtkglEnable(GL_DEPTH_TEST);
+  frame.State->vtkglDepthFunc(GL_LEQUAL);
+  frame.State->vtkglDepthMask(GL_TRUE);
+  frame.State->vtkglDisable(GL_BLEND);
+  this->Targets.Bind({ this->Targets.Opaque }, frame.Scene);
+  frame.State->vtkglClear(GL_COLOR_BUFFER_BIT);
+  frame.Textures.Add("fourierOpacities", this->Opacities.GetTexture());
+  vtkFourierOpacityStage stage = frame.Stages.DrawOpaqueLayer();
+  this->DrawStage(frame, stage);
+  frame.Textures.Clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityPainter::Widen(Frame& frame)
+{
+  if (!this->WidenQuad)
+  {
+    this->WidenQuad = std::make_unique<Quad>();
+  }
+  frame.State->vtkglViewport(0, 0, frame.ReducedSize[0], frame.ReducedSize[1]);
+  frame.State->vtkglDisable(GL_DEPTH_TEST);
+  frame.State->vtkglDisable(GL_BLEND);
+  this->Targets.Bind({ this->Targets.Widened }, nullptr);
+  frame.Textures.Add("fourierBounds", this->Targets.Bounds);
+  frame.Textures.Add("fourierScene", frame.Scene);
+  this->DrawQuad(frame, *this->WidenQuad, frame.Stages.Widen());
+  frame.Textures.Clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityPainter::SumOpticalDepth(Frame& frame)
+{
+  frame.State->vtkglViewport(0, 0, frame.Now.Size[0], frame.Now.Size[1]);
+  frame.State->vtkglEnable(GL_DEPTH_TEST);
+  frame.State->vtkglDepthFunc(GL_LEQUAL);
+  frame.State->vtkglDepthMask(GL_FALSE);
+  frame.State->vtkglEnable(GL_BLEND);
+  frame.State->vtkglBlendFunc(GL_ONE, GL_ONE);
+  frame.Textures.Add("fourierOpacities", this->Opacities.GetTexture());
+  if (frame.Stages.HasBounds)
+  {
+    frame.Textures.Add("fourierBounds", this->Targets.Widened);
+  }
+  const int sums = frame.Stages.HasSums ? static_cast<int>(this->Targets.Sums.size()) : 0;
+  for (const auto& outputs : PartOutputs(sums, false, frame.MostTargets))
+  {
+    const auto first = this->Targets.Sums.begin() + outputs.First;
+    this->Targets.Bind(
+      std::vector<vtkTextureObject*>(first, first + outputs.Count), frame.Scene);
+    frame.State->vtkglClear(GL_COLOR_BUFFER_BIT);
+    vtkFourierOpacityStage stage = frame.Stages.SumOpticalDepth(outputs);
+    this->DrawStage(frame, stage);
+  }
+  // The next stage reads the same textures.
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityPainter::AddColors(Frame& frame)
+{
+  std::vector<vtkTextureObject*> targets = { this->Targets.Colors };
+  if (frame.Stages.HasSums)
+  {
+    this->AddSumTextures(frame);
+  }
+  else
+  {
+    targets.push_back(this->Targets.Counts);
+  }
+  this->Targets.Bind(targets, frame.Scene);
+  frame.State->vtkglClear(GL_COLOR_BUFFER_BIT);
+  vtkFourierOpacityStage stage = frame.Stages.AddColors();
+  this->DrawStage(frame, stage);
+  frame.Textures.Clear();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityPainter::DrawQuad(
+  Frame& frame, Quad& quad, const std::string& source)
+{
+  if (quad.Source != source)
+  {
+    quad.Helper.reset();
+    quad.Source = source;
+  }
+  if (!quad.Helper)
+  {
+    quad.Helper =
+      std::make_unique<vtkOpenGLQuadHelper>(frame.Window, nullptr, source.c_str(), "");
+  }
+  else
+  {
+    frame.Window->GetShaderCache()->ReadyShaderProgram(quad.Helper->Program);
+  }
+  if (!quad.Helper->Program || !quad.Helper->Program->GetCompiled())
+  {
+    return "A shader of opacity optimization does not compile.";
+  }
+  this->SetCommonParameters(frame, quad.Helper->Program);
+  vtkOpenGLState::ScopedglEnableDisable cull(frame.State, GL_CULL_FACE);
+  frame.State->vtkglDisable(GL_CULL_FACE);
+  quad.Helper->Render();
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityPainter::Finish(Frame& frame)
+{
+  if (!this->FinalQuad)
+  {
+    this->FinalQuad = std::make_unique<Quad>();
+  }
+  frame.State->vtkglDisable(GL_DEPTH_TEST);
+  frame.State->vtkglDisable(GL_BLEND);
+  this->Targets.Bind({ this->Targets.Color, this->Targets.Depth }, nullptr);
+  if (frame.Stages.HasSums)
+  {
+    this->AddSumTextures(frame);
+  }
+  frame.Textures.Add("fourierColors", this->Targets.Colors);
+  frame.Textures.Add("fourierCounts", this->Targets.Counts);
+  frame.Textures.Add("fourierOpaque", this->Targets.Opaque);
+  if (frame.Stages.HasBounds)
+  {
+    frame.Textures.Add("fourierBounds", this->Targets.Widened);
+  }
+  std::string error = this->DrawQuad(frame, *this->FinalQuad, frame.Stages.Finish());
+  frame.Textures.Clear();
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vector<Item>& items,
+  vtkOpacityOptimization* optimization, const DrawFunction& drawItem)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    return "The renderer has no window of OpenGL.";
+  }
+  std::string error = this->Check(window);
+  if (!error.empty())
+  {
+    return error;
+  }
+  if (this->Window && this->Window != window)
+  {
+    this->ReleaseGraphicsResources(this->Window);
+  }
+  this->Window = window;
+
+  vtkFourierOpacityView now;
+  std::vector<vtkActor*> actors;
+  for (const Item& item : items)
+  {
+    actors.push_back(item.Actor);
+  }
+  now.Set(renderer, actors);
+  Frame frame{ window, window->GetState(), renderer, items, optimization, drawItem, now,
+    vtkFourierOpacityStages(optimization, now.IsParallel), this->GetView(renderer) };
+  this->LastView = &frame.View;
+  error = this->Prepare(frame);
+  if (!error.empty())
+  {
+    return error;
+  }
+
+  const SavedState saved(frame.State);
+  int viewport[4];
+  frame.State->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  int tiledOrigin[2];
+  int size[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &tiledOrigin[0], &tiledOrigin[1]);
+  int origin[2];
+  vtkLineSetsSceneDepth::GetReadOrigin(window, viewport, tiledOrigin, origin);
+  frame.Scene = this->SceneDepth.Copy(window, origin, size[0], size[1]);
+  if (!frame.Scene)
+  {
+    return "The depth of the opaque scene cannot be read.";
+  }
+  frame.State->vtkglDisable(GL_SCISSOR_TEST);
+#ifdef GL_MULTISAMPLE
+  frame.State->vtkglDisable(GL_MULTISAMPLE);
+#endif
+  frame.State->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  frame.State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+
+  this->SumImportance(frame);
+  error = this->FindOpacities(frame);
+  if (!error.empty())
+  {
+    return error;
+  }
+  if (frame.Stages.HasOpaqueLayer)
+  {
+    this->DrawOpaqueLayer(frame);
+  }
+  if (frame.Stages.HasBounds)
+  {
+    this->Widen(frame);
+  }
+  this->SumOpticalDepth(frame);
+  this->AddColors(frame);
+  return this->Finish(frame);
+}
+
+//------------------------------------------------------------------------------
+bool vtkFourierOpacityPainter::PrepareSelection(const Item& item, vtkFourierOpacityStage& stage)
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFourierOpacityPainter::GetNumberOfBytes() const
+{
+  return this->Targets.GetNumberOfBytes() + this->SceneDepth.GetNumberOfBytes() +
+    static_cast<vtkIdType>(this->Smallest.GetNumberOfBytes() + this->Opacities.GetNumberOfBytes());
+}
+
+//------------------------------------------------------------------------------
+const std::vector<float>& vtkFourierOpacityPainter::GetOpacities() const
+{
+  static const std::vector<float> none;
+  return this->LastView ? this->LastView->Elements.GetOpacities() : none;
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityPainter::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Targets.ReleaseGraphicsResources(window);
+  this->SceneDepth.ReleaseGraphicsResources(window);
+  this->Smallest.Release(window);
+  this->Opacities.Release(window);
+  this->WidenQuad.reset();
+  this->FinalQuad.reset();
+  this->Window = nullptr;
+}

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFourierOpacityPainter
+ * @brief   optimizes the opacity of some actors in a view, and blends them
+ *
+ * For each picture, as in Baeza Rojo et al., 2019, Sec. 4.2:
+ * 1. All geometry is drawn at reduced resolution. Squared importance is added to the sums of each
+ *    pixel; the nearest and the farthest depth are kept (vtkFourierOpacityTargets).
+ * 2. It is drawn again: each fragment finds its optimal opacity from the sums, and each element
+ *    keeps the smallest one.
+ * 3. These are read back, smoothed over neighbours and in time (vtkFourierOpacityElements), and
+ *    given to the vertices.
+ * 4. What counts as opaque is drawn as a layer with depth, which hides what is behind it.
+ * 5. The rest is drawn twice: optical depth is added to the sums, then colours are added with
+ *    their weights, which the sums tell.
+ * 6. Colours are divided by their weights and laid over the opaque layer.
+ *
+ * Steps 1 and 2, and step 5, have exact counterparts by vtkFragmentLists.
+ */
+
+#ifndef vtkFourierOpacityPainter_h
+#define vtkFourierOpacityPainter_h
+
+#include "vtkFourierOpacityElements.h"
+#include "vtkFourierOpacityStage.h"
+#include "vtkFourierOpacityTargets.h"
+#include "vtkFourierOpacityView.h"
+#include "vtkLineSetsBufferTexture.h"
+#include "vtkLineSetsSceneDepth.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkWeakPointer.h"
+
+#include <functional>
+#include <list>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkFourierOpacityMapper;
+class vtkOpacityOptimization;
+class vtkOpenGLQuadHelper;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkFourierOpacityPainter
+{
+public:
+  vtkFourierOpacityPainter();
+  ~vtkFourierOpacityPainter();
+
+  struct Item
+  {
+    vtkActor* Actor = nullptr;
+    vtkFourierOpacityMapper* Mapper = nullptr;
+  };
+  /// Draws one item with the shaders of a stage.
+  using DrawFunction = std::function<void(const Item&, const vtkFourierOpacityStage&)>;
+
+  /**
+   * Make the picture of some actors, before and behind what the framebuffer bound for reading
+   * holds. Returns an empty string, or else why nothing was drawn; bindings and state are restored.
+   */
+  std::string Draw(vtkRenderer* renderer, const std::vector<Item>& items,
+    vtkOpacityOptimization* optimization, const DrawFunction& drawItem);
+
+  /// The picture: colour, not multiplied by opacity, and depth from 0 to 1.
+  vtkTextureObject* GetColor() const { return this->Targets.Color; }
+  vtkTextureObject* GetDepth() const { return this->Targets.Depth; }
+
+  /// Describe how selections of an item are drawn; returns false where nothing is known of it.
+  bool PrepareSelection(const Item& item, vtkFourierOpacityStage& stage);
+
+  /// Bytes on the graphics device: of all, and of the sums alone.
+  vtkIdType GetNumberOfBytes() const;
+  vtkIdType GetNumberOfSumBytes() const { return this->Targets.GetNumberOfSumBytes(); }
+
+  /// Opacities of the elements of the last picture.
+  const std::vector<float>& GetOpacities() const;
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkFourierOpacityPainter(const vtkFourierOpacityPainter&) = delete;
+  void operator=(const vtkFourierOpacityPainter&) = delete;
+
+  struct Frame;
+  struct Quad;
+  struct View;
+
+  View& GetView(vtkRenderer* renderer);
+  std::string Check(vtkOpenGLRenderWindow* window);
+  std::string Prepare(Frame& frame);
+  std::string UploadElements(Frame& frame, const std::vector<float>& values,
+    vtkLineSetsBufferTexture& buffer, unsigned int format);
+  void DrawStage(Frame& frame, vtkFourierOpacityStage& stage);
+  void SetCommonParameters(const Frame& frame, vtkShaderProgram* program);
+  void AddSumTextures(Frame& frame);
+  void SumImportance(Frame& frame);
+  std::string FindOpacities(Frame& frame);
+  std::string UploadOpacities(Frame& frame, std::vector<float>& values);
+  void Widen(Frame& frame);
+  void DrawOpaqueLayer(Frame& frame);
+  void SumOpticalDepth(Frame& frame);
+  void AddColors(Frame& frame);
+  std::string Finish(Frame& frame);
+  std::string DrawQuad(Frame& frame, Quad& quad, const std::string& source);
+
+  vtkFourierOpacityTargets Targets;
+  vtkLineSetsSceneDepth SceneDepth;
+  vtkLineSetsBufferTexture Smallest;
+  vtkLineSetsBufferTexture Opacities;
+  std::unique_ptr<Quad> WidenQuad;
+  std::unique_ptr<Quad> FinalQuad;
+  std::list<std::unique_ptr<View>> Views;
+  View* LastView = nullptr;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  int Shift = 0;
+};
+
+#endif
+
+// VTK-HeaderTest-Exclude: vtkFourierOpacityPainter.h

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFourierOpacityShader.h"
+
+#include "vtkFourierOpacityStage.h"
+#include "vtkLineSetsShaderCode.h"
+
+#include <string>
+
+using vtkLineSetsShaderCode::HandOn;
+using vtkLineSetsShaderCode::InsertBefore;
+
+namespace
+{
+// Elements are numbers, which a float holds exactly up to 2^24; vertices without one have -1.
+constexpr const char* ElementDeclarations = "in vec3 fourierElementsMC;\n"
+                                            "in vec2 fourierWeightsMC;\n";
+
+constexpr const char* Element = "fourierElementVSOutput = %E < 0 ? -1 :\n"
+                                "  (fourierFirstElement + %E) >> fourierElementShift;\n";
+
+// Opacity between the centres of elements; a vertex that belongs to none is opaque.
+constexpr const char* OpacityFunction =
+  "uniform samplerBuffer fourierOpacities;\n"
+  "float fourierElementOpacity(int element)\n"
+  "{\n"
+  "  return element < 0 ? 1.0 : texelFetch(fourierOpacities,\n"
+  "    (fourierFirstElement + element) >> fourierElementShift).r;\n"
+  "}\n";
+
+constexpr const char* InterpolatedOpacity =
+  "fourierOpacityVSOutput = fourierElementOpacity(int(fourierElementsMC.x));\n"
+  "if (fourierWeightsMC.x < 1.0)\n"
+  "{\n"
+  "  fourierOpacityVSOutput = fourierWeightsMC.x * fourierOpacityVSOutput +\n"
+  "    fourierWeightsMC.y * fourierElementOpacity(int(fourierElementsMC.y)) +\n"
+  "    (1.0 - fourierWeightsMC.x - fourierWeightsMC.y) *\n"
+  "      fourierElementOpacity(int(fourierElementsMC.z));\n"
+  "}\n";
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to)
+{
+  vtkShaderProgram::Substitute(text, from, to, true);
+  return text;
+}
+
+void InsertElements(
+  vtkLineSetsShaderCode::Shaders& shaders, const vtkFourierOpacityStage& stage, bool hasElements)
+{
+  vtkShader* vertex = shaders[vtkShader::Vertex];
+  InsertBefore(vertex, "//VTK::Light::Dec",
+    std::string(hasElements ? ElementDeclarations : "") +
+      "uniform int fourierFirstElement;\n"
+      "uniform int fourierElementShift;\n");
+  if (stage.NeedsElement)
+  {
+    const std::string own = hasElements ? "int(fourierElementsMC.x)" : "gl_VertexID";
+    InsertBefore(vertex, "//VTK::Light::Impl", Replaced(Element, "%E", own));
+    HandOn(shaders, "int", "fourierElement", "flat");
+  }
+  if (stage.NeedsOpacity)
+  {
+    InsertBefore(vertex, "//VTK::Light::Dec", OpacityFunction);
+    InsertBefore(vertex, "//VTK::Light::Impl",
+      hasElements ? InterpolatedOpacity
+                  : "fourierOpacityVSOutput = fourierElementOpacity(gl_VertexID);\n");
+    HandOn(shaders, "float", "fourierOpacity");
+  }
+}
+
+// Where the code of a stage belongs: as early as what it needs is known.
+const char* GetPlace(const vtkFourierOpacityStage& stage, bool lateOpacity)
+{
+  switch (stage.Kind)
+  {
+    case vtkFourierOpacityStage::OpaqueLayer:
+    case vtkFourierOpacityStage::Colors:
+    case vtkFourierOpacityStage::ColorList:
+      return "//VTK::DepthPeeling::Impl";
+    case vtkFourierOpacityStage::OpticalDepth:
+      return lateOpacity ? "//VTK::DepthPeeling::Impl" : "//VTK::Light::Impl";
+    default:
+      return "//VTK::Color::Impl";
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityShader::Insert(std::map<vtkShader::Type, vtkShader*>& shaders,
+  const vtkFourierOpacityStage& stage, bool hasElements, bool lateOpacity)
+{
+  vtkShader* vertex = shaders[vtkShader::Vertex];
+  vtkShader* fragment = shaders[vtkShader::Fragment];
+  std::string source = fragment->GetSource();
+  vtkShaderProgram::Substitute(
+    source, "//VTK::System::Dec", "//VTK::System::Dec\n" + stage.Extensions, false);
+  fragment->SetSource(source);
+  if (stage.NeedsImportance)
+  {
+    InsertBefore(vertex, "//VTK::Light::Dec", "in float fourierImportanceMC;\n");
+    InsertBefore(
+      vertex, "//VTK::Light::Impl", "fourierImportanceVSOutput = fourierImportanceMC;\n");
+    HandOn(shaders, "float", "fourierImportance");
+  }
+  if (stage.NeedsElement || stage.NeedsOpacity)
+  {
+    InsertElements(shaders, stage, hasElements);
+  }
+  // Pictures that are accumulated are shifted by parts of a pixel.
+  InsertBefore(vertex, "//VTK::Light::Dec", "uniform vec2 fourierShift;\n");
+  InsertBefore(
+    vertex, "//VTK::Light::Impl", "gl_Position.xy += fourierShift * gl_Position.w;\n");
+  InsertBefore(fragment, "//VTK::Light::Dec", stage.Declarations);
+
+  // The opacity is that of the colour where it is known there, and else that of VTK's variable.
+  const char* place = GetPlace(stage, lateOpacity);
+  const bool late = std::string(place) == "//VTK::DepthPeeling::Impl";
+  InsertBefore(fragment, place,
+    "  {\n" + Replaced(stage.Code, "%OPACITY", late ? "gl_FragData[0].a" : "opacity") + "  }\n");
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFourierOpacityStage
+ * @brief   one of the draws of all geometry of which a picture with optimized opacity is made
+ *
+ * vtkFourierOpacityPainter describes it, and vtkFourierOpacityMapper draws its geometry with
+ * shaders that vtkFourierOpacityShader makes of the description.
+ */
+
+#ifndef vtkFourierOpacityStage_h
+#define vtkFourierOpacityStage_h
+
+#include <functional>
+#include <string>
+
+class vtkShaderProgram;
+
+struct vtkFourierOpacityStage
+{
+  enum KindType
+  {
+    ImportanceSums, ///< squared importance into the sums of a pixel, and bounds of the depth
+    Opacities,      ///< optimal opacity of fragments, of which each element keeps the smallest
+    ImportanceList, ///< importance and element of each fragment into lists
+    OpaqueLayer,    ///< colours of fragments that count as opaque
+    OpticalDepth,   ///< optical depth into the sums of a pixel
+    Colors,         ///< weighted colours
+    ColorList,      ///< colours and opacities of each fragment into lists
+    Selection       ///< what vtkHardwareSelector draws, without what is too faint to be seen
+  };
+  KindType Kind = ImportanceSums;
+
+  /// Extensions of GLSL that the fragment shader needs, as directives.
+  std::string Extensions;
+  /// Declarations for the fragment shader.
+  std::string Declarations;
+  /// Code for the fragment shader's main function; it writes the outputs.
+  std::string Code;
+
+  /// Whether the shaders need the importance of a fragment, its element, its opacity.
+  bool NeedsImportance = false;
+  bool NeedsElement = false;
+  bool NeedsOpacity = false;
+  bool WritesDepth = false;
+
+  /// Set what the shaders need in the program in use.
+  std::function<void(vtkShaderProgram*)> SetParameters;
+
+  /// First element of the mapper that draws, among those of all.
+  int FirstElement = 0;
+
+  /// Differs where shaders differ.
+  std::string GetKey() const
+  {
+    return std::to_string(this->Kind) + this->Extensions + this->Declarations + this->Code;
+  }
+};
+
+#endif
+
+// VTK-HeaderTest-Exclude: vtkFourierOpacityStage.h

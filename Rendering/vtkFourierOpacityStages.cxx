@@ -1,0 +1,379 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFourierOpacityStages.h"
+
+#include "vtkFourierOpacityTargets.h"
+#include "vtkOpacityOptimization.h"
+
+#include "vtkFourierOpacity.h"
+#include "vtkFourierOpacityDepth.h"
+
+#include <vector>
+
+namespace
+{
+// Atomic operations on images, and the bits of floats, in VTK's shaders of GLSL 1.50.
+constexpr const char* AtomicExtensions = "#extension GL_ARB_shader_image_load_store : require\n"
+                                         "#extension GL_ARB_shader_bit_encoding : require\n";
+
+// Hidden fragments of reduced pictures, which have no depth buffer of their own.
+constexpr const char* DiscardHidden =
+  "  ivec2 fourierPixel = ivec2(gl_FragCoord.xy);\n"
+  "  if (gl_FragCoord.z > texelFetch(fourierScene, fourierFullPixel(fourierPixel), 0).r)\n"
+  "  {\n"
+  "    discard;\n"
+  "  }\n"
+  "  float fourierD = fourierSceneDepth(gl_FragCoord.z);\n";
+
+std::string Number(float value)
+{
+  // GLSL takes no integer for a float everywhere.
+  return "float(" + std::to_string(value) + ")";
+}
+
+std::string Component(int sum)
+{
+  return std::string(1, "xyzw"[sum]);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityStages::vtkFourierOpacityStages(
+  vtkOpacityOptimization* optimization, bool isParallel)
+  : Blending(optimization->GetBlending())
+  , Sums(2 * optimization->GetNumberOfBands() + 1)
+  , Subset(optimization->GetSubset())
+  , Exact(optimization->GetImportance() == vtkOpacityOptimization::ExactImportance)
+  , IsLogarithmic(
+      !isParallel && optimization->GetDepthScale() == vtkOpacityOptimization::LogarithmicDepth)
+{
+  switch (this->Blending)
+  {
+    case vtkOpacityOptimization::Fourier:
+      this->HasBounds = optimization->GetTightDepth();
+      this->HasOpaqueLayer = optimization->GetOpaqueThreshold() <= 0.9999;
+      this->OpaqueThreshold = static_cast<float>(optimization->GetOpaqueThreshold());
+      break;
+    case vtkOpacityOptimization::PaperFourier:
+      this->Series = 1;
+      break;
+    case vtkOpacityOptimization::Bins:
+      this->Series = 2;
+      break;
+    default:
+      this->HasSums = false;
+      break;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityStages::GetDeclarations(bool readsSums) const
+{
+  std::string text = "#define Real float\n"
+                     "#define LS_OUT(T) out T\n"
+                     "const int FourierSeries = " +
+    std::to_string(this->Series) + ";\nconst int FourierCount = " + std::to_string(this->Sums) +
+    ";\nconst bool FourierLogarithmic = " + (this->IsLogarithmic ? "true" : "false") + ";\n";
+  if (readsSums)
+  {
+    text += "float fourierFetched[FourierCount];\n"
+            "float fourierCoefficient(int i) { return fourierFetched[i]; }\n";
+    std::string fetch = "void fourierFetch(ivec2 pixel)\n{\n  vec4 texel;\n";
+    int sum = 0;
+    int texture = 0;
+    for (int components : vtkFourierOpacityTargets::GetComponents(this->Sums))
+    {
+      const std::string name = "fourierSums" + std::to_string(texture++);
+      text += "uniform sampler2D " + name + ";\n";
+      fetch += "  texel = texelFetch(" + name + ", pixel, 0);\n";
+      for (int i = 0; i < components; ++i)
+      {
+        fetch +=
+          "  fourierFetched[" + std::to_string(sum++) + "] = texel." + Component(i) + ";\n";
+      }
+    }
+    text += fetch + "}\n";
+  }
+  else
+  {
+    text += "float fourierCoefficient(int i) { return 0.0; }\n";
+  }
+  return text + vtkFourierOpacity + vtkFourierOpacityDepth +
+    "uniform sampler2D fourierScene;\n"
+    "uniform sampler2D fourierBounds;\n"
+    "uniform vec4 fourierWeights;\n"
+    // Depth among what the pixel shows.
+    "float fourierPixelDepth(float d)\n"
+    "{\n"
+    "  vec2 bounds = texelFetch(fourierBounds, ivec2(gl_FragCoord.xy) / fourierReduction, 0).rg;\n"
+    "  float low = 1.0 - bounds.r;\n"
+    "  return bounds.g > low ? clamp((d - low) / (bounds.g - low), 0.0, 1.0) : 0.5;\n"
+    "}\n";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityStages::WriteSums(const Outputs& outputs) const
+{
+  const std::vector<int> components = vtkFourierOpacityTargets::GetComponents(this->Sums);
+  std::string text;
+  int target = 0;
+  for (int i = outputs.First; i < outputs.First + outputs.Count; ++i)
+  {
+    text += "  gl_FragData[" + std::to_string(target++) + "] = fourierValue * vec4(";
+    for (int j = 0; j < 4; ++j)
+    {
+      text += j == 0 ? "" : ", ";
+      text += j < components[i] ? "terms.value[" + std::to_string(4 * i + j) + "]" : "0.0";
+    }
+    text += ");\n";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityStage vtkFourierOpacityStages::SumImportance(const Outputs& outputs) const
+{
+  vtkFourierOpacityStage stage;
+  stage.Kind = vtkFourierOpacityStage::ImportanceSums;
+  stage.NeedsImportance = true;
+  stage.NeedsElement = this->Subset > 1;
+  stage.Declarations = this->GetDeclarations(false);
+  stage.Code = DiscardHidden;
+  if (this->Subset > 1)
+  {
+    stage.Code += "  if (fourierElementVSOutput % " + std::to_string(this->Subset) +
+      " != 0)\n  {\n    discard;\n  }\n";
+  }
+  if (outputs.Count > 0)
+  {
+    stage.Code += "  FourierTerms terms = fourierTerms(fourierD);\n"
+                  "  float fourierValue = " +
+      Number(static_cast<float>(this->Subset)) +
+      " * fourierImportanceVSOutput * fourierImportanceVSOutput;\n" + this->WriteSums(outputs);
+  }
+  if (outputs.Bounds)
+  {
+    stage.Code += "  gl_FragData[" + std::to_string(outputs.Count) +
+      "] = vec4(1.0 - fourierD, fourierD, 0.0, 0.0);\n";
+  }
+  stage.Code += "  return;\n";
+  return stage;
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityStage vtkFourierOpacityStages::FindOpacities() const
+{
+  vtkFourierOpacityStage stage;
+  stage.Kind = vtkFourierOpacityStage::Opacities;
+  stage.NeedsImportance = true;
+  stage.NeedsElement = true;
+  stage.Extensions = AtomicExtensions;
+  stage.Declarations = this->GetDeclarations(true) +
+    "layout(r32ui) uniform uimageBuffer fourierSmallest;\n";
+  const bool paper = this->Blending == vtkOpacityOptimization::PaperFourier;
+  // In a subset, those that count stand for several.
+  const std::string own = this->Subset > 1
+    ? "  float fourierOwn = fourierElementVSOutput % " + std::to_string(this->Subset) +
+      " == 0 ? float(" + std::to_string(this->Subset) +
+      ") * fourierG * fourierG : 0.0;\n"
+    : "  float fourierOwn = fourierG * fourierG;\n";
+  stage.Code = std::string(DiscardHidden) +
+    "  float fourierG = clamp(fourierImportanceVSOutput, 0.0, 1.0);\n" + own +
+    "  fourierFetch(fourierPixel);\n"
+    "  float fourierShare;\n"
+    "  float fourierSumHere = fourierSum(fourierD, fourierShare);\n"
+    "  float fourierAll = fourierTotal();\n" +
+    (paper ? "  float fourierFore = fourierFront(fourierSumHere, 1.0, fourierOwn, fourierAll);\n"
+             "  float fourierRear = max(fourierAll - max(fourierSumHere, 0.0), 0.0);\n"
+           : "  float fourierFore = fourierFront(fourierSumHere, fourierShare, fourierOwn,\n"
+             "    fourierAll);\n"
+             "  float fourierRear = max(fourierAll - fourierOwn - fourierFore, 0.0);\n") +
+    "  float fourierBest = optimalOpacity(fourierG, fourierFore, fourierRear, fourierWeights);\n"
+    "  if (fourierElementVSOutput >= 0)\n"
+    "  {\n"
+    "    imageAtomicMin(fourierSmallest, fourierElementVSOutput, floatBitsToUint(fourierBest));\n"
+    "  }\n"
+    "  gl_FragData[0] = vec4(0.0);\n"
+    "  return;\n";
+  return stage;
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityStage vtkFourierOpacityStages::DrawOpaqueLayer() const
+{
+  vtkFourierOpacityStage stage;
+  stage.Kind = vtkFourierOpacityStage::OpaqueLayer;
+  stage.NeedsOpacity = true;
+  stage.WritesDepth = true;
+  stage.Code = "  if (fourierOpacityVSOutput * %OPACITY < " + Number(this->OpaqueThreshold) +
+    ")\n  {\n    discard;\n  }\n"
+    "  gl_FragData[0].a = 1.0;\n";
+  return stage;
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityStage vtkFourierOpacityStages::SumOpticalDepth(const Outputs& outputs) const
+{
+  vtkFourierOpacityStage stage;
+  stage.Kind = vtkFourierOpacityStage::OpticalDepth;
+  stage.NeedsOpacity = true;
+  stage.NeedsElement = this->Subset > 1;
+  stage.Declarations = this->GetDeclarations(false);
+  stage.Code = "  float fourierAlpha = fourierOpacityVSOutput * %OPACITY;\n"
+               "  if (fourierAlpha <= 0.0 || fourierAlpha >= " +
+    Number(this->OpaqueThreshold) + ")\n  {\n    discard;\n  }\n";
+  if (this->Subset > 1)
+  {
+    stage.Code += "  if (fourierElementVSOutput % " + std::to_string(this->Subset) +
+      " != 0)\n  {\n    discard;\n  }\n";
+  }
+  stage.Code += std::string("  float fourierD = ") +
+    (this->HasBounds ? "fourierPixelDepth(fourierSceneDepth(gl_FragCoord.z))"
+                     : "fourierSceneDepth(gl_FragCoord.z)") +
+    ";\n"
+    "  FourierTerms terms = fourierTerms(fourierD);\n"
+    "  float fourierValue = " +
+    Number(static_cast<float>(this->Subset)) + " * opticalDepth(fourierAlpha);\n" +
+    this->WriteSums(outputs) + "  return;\n";
+  return stage;
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityStage vtkFourierOpacityStages::AddColors() const
+{
+  vtkFourierOpacityStage stage;
+  stage.Kind = vtkFourierOpacityStage::Colors;
+  stage.NeedsOpacity = true;
+  stage.NeedsElement = this->HasSums && this->Subset > 1;
+  stage.Declarations = this->GetDeclarations(this->HasSums);
+  stage.Code = "  float fourierAlpha = min(fourierOpacityVSOutput * %OPACITY, 0.9999);\n"
+               "  if (fourierAlpha <= 0.0 || fourierAlpha >= " +
+    Number(this->OpaqueThreshold) + ")\n  {\n    discard;\n  }\n";
+  const std::string depth = this->HasBounds
+    ? "  float fourierD = fourierPixelDepth(fourierSceneDepth(gl_FragCoord.z));\n"
+    : "  float fourierD = fourierSceneDepth(gl_FragCoord.z);\n";
+  if (this->HasSums)
+  {
+    const bool paper = this->Blending == vtkOpacityOptimization::PaperFourier;
+    const std::string own = this->Subset > 1
+      ? "(fourierElementVSOutput % " + std::to_string(this->Subset) + " == 0 ? float(" +
+        std::to_string(this->Subset) + ") * fourierTau : 0.0)"
+      : "fourierTau";
+    stage.Code += depth +
+      "  fourierFetch(ivec2(gl_FragCoord.xy));\n"
+      "  float fourierShare;\n"
+      "  float fourierHere = fourierSum(fourierD, fourierShare);\n"
+      "  float fourierTau = opticalDepth(fourierAlpha);\n"
+      "  float fourierAll = fourierTotal();\n" +
+      (paper ? "  float fourierWeight = fourierAlpha * exp(fourierTau -\n"
+               "    clamp(fourierHere, 0.0, min(fourierAll, 40.0)));\n"
+             : "  float fourierWeight = colorWeight(fourierAlpha,\n"
+               "    fourierFront(fourierHere, fourierShare, " +
+            own + ", fourierAll));\n");
+  }
+  else if (this->Blending == vtkOpacityOptimization::WeightedBlended)
+  {
+    // McGuire and Bavoil, 2013, Eq. 10.
+    stage.Code += depth +
+      "  float fourierWeight = fourierAlpha *\n"
+      "    max(1e-2, 3e3 * (1.0 - fourierD) * (1.0 - fourierD) * (1.0 - fourierD));\n";
+  }
+  else
+  {
+    stage.Code += "  float fourierWeight = fourierAlpha;\n";
+  }
+  stage.Code += "  gl_FragData[0] = vec4(gl_FragData[0].rgb * fourierWeight, fourierWeight);\n";
+  if (!this->HasSums)
+  {
+    stage.Code += "  gl_FragData[1] = vec4(1.0, opticalDepth(fourierAlpha), 0.0, 0.0);\n";
+  }
+  return stage;
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityStage vtkFourierOpacityStages::Select() const
+{
+  vtkFourierOpacityStage stage;
+  stage.Kind = vtkFourierOpacityStage::Selection;
+  stage.NeedsOpacity = true;
+  // Fainter than this, a fragment is taken for not seen.
+  stage.Code = "  if (fourierOpacityVSOutput < 0.1)\n  {\n    discard;\n  }\n";
+  return stage;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityStages::Widen() const
+{
+  return "//VTK::System::Dec\n"
+         "//VTK::Output::Dec\n" +
+    this->GetDeclarations(false) +
+    "void main()\n"
+    "{\n"
+    "  ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "  ivec2 last = (fourierSize + fourierReduction - 1) / fourierReduction - 1;\n"
+    "  vec2 bounds = vec2(0.0);\n"
+    "  for (int i = 0; i < 9; ++i)\n"
+    "  {\n"
+    "    ivec2 near = clamp(pixel + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last);\n"
+    "    bounds = max(bounds, texelFetch(fourierBounds, near, 0).rg);\n"
+    "  }\n"
+    // Nothing is seen behind the farthest opaque depth.
+    "  float scene = 0.0;\n"
+    "  for (int i = 0; i < fourierReduction * fourierReduction; ++i)\n"
+    "  {\n"
+    "    ivec2 full = pixel * fourierReduction +\n"
+    "      ivec2(i % fourierReduction, i / fourierReduction);\n"
+    "    scene = max(scene, texelFetch(fourierScene, min(full, fourierSize - 1), 0).r);\n"
+    "  }\n"
+    "  bounds.g = min(bounds.g, fourierSceneDepth(scene));\n"
+    "  gl_FragData[0] = vec4(bounds, 0.0, 0.0);\n"
+    "}\n";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityStages::Finish() const
+{
+  std::string through;
+  if (this->HasSums)
+  {
+    through = "  fourierFetch(pixel);\n  float through = exp(-fourierTotal());\n";
+  }
+  else if (this->Blending == vtkOpacityOptimization::WeightedAverage)
+  {
+    through = "  vec2 counts = texelFetch(fourierCounts, pixel, 0).rg;\n"
+              "  float mean = counts.r > 0.0 ? min(sum.a / counts.r, 1.0) : 0.0;\n"
+              "  float through = pow(1.0 - mean, counts.r);\n";
+  }
+  else if (this->Blending == vtkOpacityOptimization::WeightedBlended)
+  {
+    through = "  float through = exp(-texelFetch(fourierCounts, pixel, 0).g);\n";
+  }
+  else
+  {
+    // Lists are blended already: the sum is premultiplied by its opacity.
+    through = "  float through = 1.0 - sum.a;\n";
+  }
+  return "//VTK::System::Dec\n"
+         "//VTK::Output::Dec\n" +
+    this->GetDeclarations(this->HasSums) +
+    "uniform sampler2D fourierColors;\n"
+    "uniform sampler2D fourierCounts;\n"
+    "uniform sampler2D fourierOpaque;\n"
+    "void main()\n"
+    "{\n"
+    "  ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "  vec4 sum = texelFetch(fourierColors, pixel, 0);\n" +
+    through +
+    "  float alpha = sum.a > 0.0 ? 1.0 - through : 0.0;\n"
+    "  vec3 color = sum.a > 0.0 ? sum.rgb / sum.a * alpha : vec3(0.0);\n" +
+    (this->HasOpaqueLayer ? "  vec4 behind = texelFetch(fourierOpaque, pixel, 0);\n"
+                            "  color += (1.0 - alpha) * behind.a * behind.rgb;\n"
+                            "  alpha += (1.0 - alpha) * behind.a;\n"
+                          : "") +
+    "  gl_FragData[0] = alpha > 0.0 ? vec4(color / alpha, alpha) : vec4(0.0);\n" +
+    (this->HasBounds
+        ? "  gl_FragData[1] = vec4(fourierBufferDepth(1.0 -\n"
+          "    texelFetch(fourierBounds, pixel / fourierReduction, 0).r), 0.0, 0.0, 0.0);\n"
+        : "  gl_FragData[1] = vec4(fourierBufferDepth(0.0), 0.0, 0.0, 0.0);\n") +
+    "}\n";
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFourierOpacityStages
+ * @brief   shader code of the stages of opacity optimization
+ *
+ * The functions of glsl/vtkFourierOpacity.glsl do the arithmetic; here they are put together for
+ * what vtkOpacityOptimization asks for. Nothing of this touches the graphics device.
+ */
+
+#ifndef vtkFourierOpacityStages_h
+#define vtkFourierOpacityStages_h
+
+#include "vtkFourierOpacityStage.h"
+
+#include <string>
+
+class vtkOpacityOptimization;
+
+struct vtkFourierOpacityStages
+{
+  /// What vtkOpacityOptimization asks for, as the stages need it.
+  int Blending = 0;
+  int Series = 0;      ///< kind of series, as in glsl/vtkFourierOpacity.glsl
+  int Sums = 0;        ///< number of sums
+  int Subset = 1;
+  bool Exact = false;  ///< importance is summed exactly
+  bool HasSums = true; ///< colours are blended by sums of optical depth
+  bool HasBounds = false;
+  bool HasOpaqueLayer = false;
+  bool IsLogarithmic = false;
+  float OpaqueThreshold = 2.0f;
+
+  vtkFourierOpacityStages(vtkOpacityOptimization* optimization, bool isParallel);
+
+  /// Textures of sums to which one draw writes: those from first on, and perhaps the bounds.
+  struct Outputs
+  {
+    int First = 0;
+    int Count = 0;
+    bool Bounds = false;
+  };
+  vtkFourierOpacityStage SumImportance(const Outputs& outputs) const;
+  vtkFourierOpacityStage FindOpacities() const;
+  vtkFourierOpacityStage DrawOpaqueLayer() const;
+  vtkFourierOpacityStage SumOpticalDepth(const Outputs& outputs) const;
+  vtkFourierOpacityStage AddColors() const;
+  vtkFourierOpacityStage Select() const;
+  vtkFourierOpacityStage ListImportance() const;
+  vtkFourierOpacityStage ListColors() const;
+
+  /// Fragment shaders of quads.
+  std::string Widen() const;
+  std::string Finish() const;
+  /// What walks a sorted list of fragments: finds opacities, or blends colours.
+  std::string ResolveImportance() const;
+  std::string ResolveColors() const;
+
+private:
+  std::string GetDeclarations(bool readsSums) const;
+  std::string WriteSums(const Outputs& outputs) const;
+};
+
+#endif
+
+// VTK-HeaderTest-Exclude: vtkFourierOpacityStages.h

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFourierOpacityTargets
+ * @brief   the textures that the stages of opacity optimization draw to and read from
+ *
+ * Sums lie four to a texture, the last ones two and one to a texture, so that no memory is left
+ * idle. Those of importance lie in a corner of those of optical depth, which are needed later.
+ */
+
+#ifndef vtkFourierOpacityTargets_h
+#define vtkFourierOpacityTargets_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkFourierOpacityTargets
+{
+public:
+  vtkFourierOpacityTargets();
+  ~vtkFourierOpacityTargets();
+
+  struct Layout
+  {
+    int Width = 0;
+    int Height = 0;
+    int Sums = 0;             ///< number of sums per pixel
+    int BoundsWidth = 0;      ///< of the bounds of depth, 0 for none
+    int BoundsHeight = 0;
+    bool HasCounts = false;   ///< number and optical depth of fragments (weighted ways)
+    bool HasOpaqueLayer = false;
+    bool HasPicture = false;  ///< colour and depth of the result
+  };
+
+  /// Components of the textures of so many sums: 4, 4, ..., 2, 1.
+  static std::vector<int> GetComponents(int sums);
+
+  /// Make textures, or what is missing. Returns an empty string, or what there was no memory for.
+  std::string Prepare(vtkOpenGLRenderWindow* window, const Layout& layout);
+
+  std::vector<vtkSmartPointer<vtkTextureObject>> Sums;
+  vtkNew<vtkTextureObject> Bounds;  ///< 1 - nearest depth, farthest depth; of each pixel
+  vtkNew<vtkTextureObject> Widened; ///< the same, of each pixel and those around it
+  vtkNew<vtkTextureObject> Colors;  ///< sum of weighted colours, and of weights
+  vtkNew<vtkTextureObject> Counts;
+  vtkNew<vtkTextureObject> Opaque;
+  vtkNew<vtkTextureObject> Color;
+  vtkNew<vtkTextureObject> Depth;
+
+  /**
+   * Draw to textures, with the scene's depth for depth tests or without. The framebuffer stays
+   * bound until the caller restores bindings.
+   */
+  void Bind(const std::vector<vtkTextureObject*>& textures, vtkTextureObject* depth);
+
+  /// Bytes of all textures, and of the sums alone.
+  vtkIdType GetNumberOfBytes() const;
+  vtkIdType GetNumberOfSumBytes() const;
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkFourierOpacityTargets(const vtkFourierOpacityTargets&) = delete;
+  void operator=(const vtkFourierOpacityTargets&) = delete;
+
+  bool Make(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, bool wanted, int width,
+    int height, int components, unsigned int format);
+
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  std::vector<int> Components;
+};
+
+#endif
+
+// VTK-HeaderTest-Exclude: vtkFourierOpacityTargets.h
