@@ -8,7 +8,7 @@
 #include "vtkInformation.h"
 #include "vtkLineGlobalIllumination.h"
 #include "vtkLineIllumination.h"
-#include "vtkLineSetsCheckedValue.h"
+#include "vtkLineSetsCheckedValuePrivate.h"
 #include "vtkLineVoxelizer.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"

@@ -5,8 +5,8 @@
  * Setters of values that must lie in a range.
  */
 
-#ifndef vtkLineSetsCheckedValue_h
-#define vtkLineSetsCheckedValue_h
+#ifndef vtkLineSetsCheckedValuePrivate_h
+#define vtkLineSetsCheckedValuePrivate_h
 
 #include "vtkObject.h"
 #include "vtkSetGet.h"
@@ -33,4 +33,4 @@ void vtkLineSetsSetInRange(
 
 #endif
 
-// VTK-HeaderTest-Exclude: vtkLineSetsCheckedValue.h
+// VTK-HeaderTest-Exclude: vtkLineSetsCheckedValuePrivate.h

@@ -1,0 +1,342 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSurfacePatchesPrivate.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <queue>
+#include <tuple>
+
+namespace vtkSurfacePatches
+{
+
+namespace
+{
+
+using vtkSurfaceGeodesics::Infinity;
+using vtkSurfaceGeodesics::Mesh;
+using vtkSurfaceGeodesics::Tolerance;
+
+std::size_t Index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// Whether a distance is better than another one, beyond rounding.
+bool IsNearer(double distance, double other)
+{
+  return distance < other * (1.0 - Tolerance);
+}
+
+/// The distance of each vertex to the nearest of the seeds so far.
+class NearestDistances
+{
+public:
+  explicit NearestDistances(const Mesh& mesh)
+    : Surface(mesh)
+    , Nearest(mesh.Pieces.size(), Infinity)
+    , Tentative(mesh.Pieces.size(), 0.0)
+    , Round(mesh.Pieces.size(), 0)
+    , Largest((mesh.Pieces.size() + BlockSize - 1) / BlockSize, Infinity)
+    , IsStale(this->Largest.size(), true)
+  {
+  }
+
+  void AddSeed(int seed)
+  {
+    ++this->CurrentRound;
+    this->Reached.clear();
+    this->Improve(seed, 0.0);
+    while (!this->Queue.empty())
+    {
+      const double distance = this->Queue.top().first;
+      const int vertex = this->Queue.top().second;
+      this->Queue.pop();
+      double& nearest = this->Nearest[Index(vertex)];
+      // Either the vertex became nearer since, or another seed is: its distance served its
+      // neighbours, but does not spread.
+      if (distance > this->Tentative[Index(vertex)] || !(distance < nearest))
+      {
+        continue;
+      }
+      nearest = distance;
+      this->IsStale[Index(vertex) / BlockSize] = true;
+      this->Spread(vertex, distance);
+    }
+  }
+
+  /// The vertex of a piece that is farthest from one of it, the first one of several; the distances
+  /// of that vertex are forgotten again.
+  int FindOpposite(int vertex)
+  {
+    this->AddSeed(vertex);
+    int farthest = vertex;
+    for (int other : this->Reached)
+    {
+      const double distance = this->Nearest[Index(other)];
+      const double best = this->Nearest[Index(farthest)];
+      farthest = distance > best || (distance == best && other < farthest) ? other : farthest;
+    }
+    for (int other : this->Reached)
+    {
+      this->Nearest[Index(other)] = Infinity;
+    }
+    return farthest;
+  }
+
+  /// The vertex farthest from all seeds, the first one of several, and its distance. Blocks of
+  /// vertices know their largest distance; it is only computed anew where it matters.
+  std::pair<int, double> FindFarthest()
+  {
+    std::size_t best = 0;
+    double largest = -1.0;
+    for (std::size_t block = 0; block < this->Largest.size(); ++block)
+    {
+      // Distances only become smaller: an old largest one bounds the new one.
+      if (this->Largest[block] > largest && this->IsStale[block])
+      {
+        const auto begin = this->Nearest.begin() + static_cast<std::ptrdiff_t>(block * BlockSize);
+        const std::size_t rest = this->Nearest.size() - block * BlockSize;
+        this->Largest[block] =
+          *std::max_element(begin, begin + static_cast<std::ptrdiff_t>(std::min(rest, BlockSize)));
+        this->IsStale[block] = false;
+      }
+      if (this->Largest[block] > largest)
+      {
+        largest = this->Largest[block];
+        best = block;
+      }
+    }
+    const auto begin = this->Nearest.begin() + static_cast<std::ptrdiff_t>(best * BlockSize);
+    const auto found = std::find(begin, this->Nearest.end(), largest);
+    return { static_cast<int>(found - this->Nearest.begin()), largest };
+  }
+
+private:
+  static constexpr std::size_t BlockSize = 1024;
+
+  double GetTentative(int vertex) const
+  {
+    return this->Round[Index(vertex)] == this->CurrentRound ? this->Tentative[Index(vertex)]
+                                                            : Infinity;
+  }
+
+  void Improve(int vertex, double distance)
+  {
+    const double old = this->GetTentative(vertex);
+    if (!IsNearer(distance, old))
+    {
+      return;
+    }
+    if (old == Infinity)
+    {
+      this->Reached.push_back(vertex);
+    }
+    this->Round[Index(vertex)] = this->CurrentRound;
+    this->Tentative[Index(vertex)] = distance;
+    if (distance < this->Nearest[Index(vertex)])
+    {
+      this->Queue.emplace(distance, vertex);
+    }
+  }
+
+  void Spread(int vertex, double distance)
+  {
+    vtkSurfaceGeodesics::Spread(
+      this->Surface, vertex, distance, [this](int other) { return this->GetTentative(other); },
+      [this](int other, double found) { this->Improve(other, found); });
+  }
+
+  const Mesh& Surface;
+  std::vector<double> Nearest;
+  /// Distances of the newest seed; valid where the round is the current one.
+  std::vector<double> Tentative;
+  std::vector<std::uint32_t> Round;
+  std::uint32_t CurrentRound = 0;
+  /// The vertices that it reached.
+  std::vector<int> Reached;
+  std::vector<double> Largest;
+  std::vector<bool> IsStale;
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Queue;
+};
+
+/// Spreads all seeds at once.
+class NearSeedFinder
+{
+public:
+  explicit NearSeedFinder(const Mesh& mesh)
+    : Surface(mesh)
+    , Labels(mesh.Pieces.size())
+  {
+  }
+
+  bool Find(const std::vector<int>& seeds, const ProgressFunction& goesOn)
+  {
+    // Each vertex is taken up about once for each label.
+    const double total = static_cast<double>(KeptSeeds * this->Labels.size()) + 1.0;
+    for (std::size_t i = 0; i < seeds.size(); ++i)
+    {
+      this->Improve(seeds[i], static_cast<int>(i), 0.0);
+    }
+    for (vtkIdType count = 1; !this->Queue.empty(); ++count)
+    {
+      double distance = 0.0;
+      int vertex = 0;
+      int seed = 0;
+      std::tie(distance, vertex, seed) = this->Queue.top();
+      this->Queue.pop();
+      // A label that became nearer, or was driven out, is no longer found.
+      if (this->GetDistance(vertex, seed) == distance)
+      {
+        this->Spread(vertex, seed, distance);
+      }
+      if (count % 65536 == 0 && !goesOn(std::min(1.0, static_cast<double>(count) / total)))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  NearSeeds GetNearSeeds(std::size_t vertex) const
+  {
+    NearSeeds result;
+    std::copy_n(this->Labels[vertex].begin(), NumberOfNearSeeds, result.begin());
+    return result;
+  }
+
+private:
+  /// More labels are kept than are needed, so that the last ones of those have their distances
+  /// through triangles too: both ends of an edge mostly have a label if it is not the last one.
+  static constexpr std::size_t KeptSeeds = NumberOfNearSeeds + 2;
+
+  double GetDistance(int vertex, int seed) const
+  {
+    for (const NearSeed& label : this->Labels[Index(vertex)])
+    {
+      if (label.Seed == seed)
+      {
+        return label.Distance;
+      }
+    }
+    return Infinity;
+  }
+
+  void Improve(int vertex, int seed, double distance)
+  {
+    auto& labels = this->Labels[Index(vertex)];
+    if (!(distance < labels.back().Distance))
+    {
+      return;
+    }
+    std::size_t slot = 0;
+    while (slot + 1 < KeptSeeds && labels[slot].Seed != seed)
+    {
+      ++slot;
+    }
+    // The last one is either that of the seed, or is driven out.
+    if (labels[slot].Seed == seed && !IsNearer(distance, labels[slot].Distance))
+    {
+      return;
+    }
+    for (; slot > 0 && labels[slot - 1].Distance > distance; --slot)
+    {
+      labels[slot] = labels[slot - 1];
+    }
+    labels[slot].Seed = seed;
+    labels[slot].Distance = distance;
+    this->Queue.emplace(distance, vertex, seed);
+  }
+
+  void Spread(int vertex, int seed, double distance)
+  {
+    vtkSurfaceGeodesics::Spread(
+      this->Surface, vertex, distance,
+      [this, seed](int other) { return this->GetDistance(other, seed); },
+      [this, seed](int other, double found) { this->Improve(other, seed, found); });
+  }
+
+  const Mesh& Surface;
+  std::vector<std::array<NearSeed, KeptSeeds>> Labels;
+  using Entry = std::tuple<double, int, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Queue;
+};
+
+}
+
+//------------------------------------------------------------------------------
+std::vector<int> PlaceSeeds(const Mesh& mesh, int number, const ProgressFunction& goesOn)
+{
+  NearestDistances distances(mesh);
+  std::vector<int> seeds;
+  const std::size_t size = static_cast<std::size_t>(std::max(number, 0));
+  const std::size_t numberOfPieces = std::min(size, mesh.FirstVertices.size());
+  const auto mayGoOn = [&]()
+  {
+    return seeds.size() % 16 != 0 ||
+      goesOn(static_cast<double>(seeds.size()) / static_cast<double>(size));
+  };
+  while (seeds.size() < numberOfPieces && mayGoOn())
+  {
+    seeds.push_back(distances.FindOpposite(mesh.FirstVertices[seeds.size()]));
+    distances.AddSeed(seeds.back());
+  }
+  while (seeds.size() >= numberOfPieces && seeds.size() < size && mayGoOn())
+  {
+    const std::pair<int, double> farthest = distances.FindFarthest();
+    if (!(farthest.second > 0.0))
+    {
+      break;
+    }
+    seeds.push_back(farthest.first);
+    distances.AddSeed(farthest.first);
+  }
+  return seeds;
+}
+
+//------------------------------------------------------------------------------
+std::vector<NearSeeds> FindNearSeeds(
+  const Mesh& mesh, const std::vector<int>& seeds, const ProgressFunction& goesOn)
+{
+  NearSeedFinder finder(mesh);
+  std::vector<NearSeeds> result;
+  if (finder.Find(seeds, goesOn))
+  {
+    result.reserve(mesh.Pieces.size());
+    for (std::size_t vertex = 0; vertex < mesh.Pieces.size(); ++vertex)
+    {
+      result.push_back(finder.GetNearSeeds(vertex));
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<int, int>> FindNeighbors(
+  const Mesh& mesh, const std::vector<NearSeeds>& nearSeeds)
+{
+  std::vector<std::pair<int, int>> pairs;
+  for (int vertex = 0; vertex < static_cast<int>(nearSeeds.size()); ++vertex)
+  {
+    const int here = nearSeeds[Index(vertex)][0].Seed;
+    for (const vtkSurfaceGeodesics::Corner* corner = mesh.Begin(vertex); corner != mesh.End(vertex);
+         ++corner)
+    {
+      for (int end : corner->Ends)
+      {
+        const int there = nearSeeds[Index(end)][0].Seed;
+        if (here < there)
+        {
+          pairs.emplace_back(here, there);
+        }
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+}
