@@ -33,10 +33,20 @@ public:
   bool Upload(vtkOpenGLRenderWindow* window, const void* data, std::size_t texels,
     std::size_t componentSize, unsigned int format, int components, int vtkType);
 
+  /**
+   * Make room for a number of texels, whose values are undefined, in the same manner; for shaders
+   * that write.
+   */
+  bool Allocate(vtkOpenGLRenderWindow* window, std::size_t texels, std::size_t componentSize,
+    unsigned int format, int components, int vtkType);
+
   /// Bind it to a texture unit, if the program reads a sampler of that name: the compiler may have
   /// removed it.
   void Activate(vtkShaderProgram* program, const char* name);
   void Deactivate();
+
+  /// OpenGL's name of the texture, 0 for none; for image units, of which VTK knows nothing.
+  unsigned int GetHandle() const;
 
   /// Whether its texture has gone with its context, after it was uploaded.
   bool IsGone() const;
@@ -57,6 +67,9 @@ public:
 private:
   vtkLineSetsBufferTexture(const vtkLineSetsBufferTexture&) = delete;
   void operator=(const vtkLineSetsBufferTexture&) = delete;
+
+  bool CreateTexture(vtkOpenGLRenderWindow* window, std::size_t texels, unsigned int format,
+    int components, int vtkType);
 
   vtkSmartPointer<vtkOpenGLBufferObject> Buffer;
   vtkSmartPointer<vtkTextureObject> Texture;
