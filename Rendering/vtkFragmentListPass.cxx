@@ -170,19 +170,19 @@ vtkShaderProgram* vtkFragmentListPass::vtkInternals::ReadyResolveProgram()
   std::string source = vtkFragmentListPassResolve;
   vtkFragmentLists::InsertExtensions(source);
   vtkShaderProgram::Substitute(
-    source, "//LineSets::FragmentLists::Dec", vtkFragmentLists::GetResolveSource());
+    source, "//LineSets::FragmentLists::Dec", vtkFragmentLists::GetReadSource());
   return this->Window->GetShaderCache()->ReadyShaderProgram(vtkLineSetsLayerVS, source.c_str(), "");
 }
 
 //------------------------------------------------------------------------------
-// Sort and blend what is stored, over what the framebuffer holds.
+// Blend what is stored and sorted, over what the framebuffer holds.
 std::string vtkFragmentListPass::vtkInternals::Blend()
 {
   vtkOpenGLState* state = this->Window->GetState();
   vtkShaderProgram* program = this->ReadyResolveProgram();
   if (!program)
   {
-    return "the shader that sorts fragments does not compile with this OpenGL";
+    return "the shader that blends fragments does not compile with this OpenGL";
   }
   vtkNew<vtkOpenGLVertexArrayObject> vao;
   vao->Bind();
@@ -192,7 +192,7 @@ std::string vtkFragmentListPass::vtkInternals::Blend()
     vao->Release();
     return "the vertices of the final draw cannot be bound";
   }
-  this->Lists.SetResolveParameters(program);
+  this->Lists.SetReadParameters(program);
   program->SetUniform2i("fragmentListOrigin", this->Viewport);
   {
     const vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
@@ -330,8 +330,7 @@ std::string vtkFragmentListPass::RenderLists(
   for (int i = 0; error.empty() && i < data.Lists.GetNumberOfStrips(); ++i)
   {
     this->StoreFragments(state, window, i);
-    VTK_SCOPED_RENDER_EVENT("vtkFragmentListPass::Blend", window->GetRenderTimer());
-    error = data.Blend();
+    error = this->BlendFragments(window);
   }
   this->PostRender(state);
   data.OpaqueDepth->Deactivate();
@@ -368,6 +367,19 @@ void vtkFragmentListPass::StoreFragments(
     { 0, rows[0], data.Viewport[2], rows[1] - rows[0] });
   data.Lists.BeginStrip(strip);
   this->RenderDelegate(state);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFragmentListPass::BlendFragments(vtkOpenGLRenderWindow* window)
+{
+  vtkInternals& data = *this->Internals;
+  std::string error;
+  {
+    VTK_SCOPED_RENDER_EVENT("vtkFragmentListPass::SortFragments", window->GetRenderTimer());
+    error = data.Lists.SortStrip();
+  }
+  VTK_SCOPED_RENDER_EVENT("vtkFragmentListPass::BlendFragments", window->GetRenderTimer());
+  return error.empty() ? data.Blend() : error;
 }
 
 //------------------------------------------------------------------------------

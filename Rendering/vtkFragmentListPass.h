@@ -131,6 +131,7 @@ private:
   std::string RenderLists(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
   std::string CountFragments(const vtkRenderState* state, vtkOpenGLRenderWindow* window);
   void StoreFragments(const vtkRenderState* state, vtkOpenGLRenderWindow* window, int strip);
+  std::string BlendFragments(vtkOpenGLRenderWindow* window);
   void UpdateStatistics();
   void ReportErrorOnce(const std::string& error);
 

@@ -5,14 +5,20 @@
 #define LINESETS_USE_OPENGL
 #include "vtkLineSetsCompatibilityPrivate.h"
 
+#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-#include "vtkFragmentListsResolve.h"
+#include "vtkFragmentListsRead.h"
+#include "vtkFragmentListsSort.h"
 #include "vtkFragmentListsStore.h"
+#include "vtkLineSetsLayerVS.h"
 
 #include <algorithm>
 #include <cstring>
@@ -26,14 +32,25 @@ enum Unit
   RoomUnit,
   RangesUnit,
   NodesUnit,
-  DroppedUnit,
+  FailuresUnit,
   NumberOfUnits
 };
 constexpr const char* UniformNames[NumberOfUnits] = { "fragmentListRoom", "fragmentListRanges",
-  "fragmentListNodes", "fragmentListDropped" };
+  "fragmentListNodes", "fragmentListFailures" };
 
 // Four components of 32 bits.
 constexpr std::size_t BytesPerNode = 16;
+
+// The gaps of the sort, the largest first, as its shader has them.
+constexpr std::array<int, 15> Gaps = { 177784, 79015, 35118, 15608, 6937, 3083, 1577, 701, 301, 132,
+  57, 23, 10, 4, 1 };
+
+// Software OpenGL ends loops after 65535 turns in all. A gap takes up to 7 turns per fragment where
+// they come in any order, so that draws for so many fragments and gaps are far from it.
+constexpr vtkIdType SafeNumberOfFragments = 4000;
+
+// How often a gap is done again where a loop ended early; each time all that was sorted is passed.
+constexpr int MaximumNumberOfTries = 100;
 
 // A buffer of up to so many nodes (16 MiB) is kept however few are needed.
 constexpr std::size_t KeptNodes = std::size_t(1) << 20;
@@ -147,9 +164,9 @@ std::string vtkFragmentLists::GetStoreSource()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFragmentLists::GetResolveSource()
+std::string vtkFragmentLists::GetReadSource()
 {
-  return vtkFragmentListsResolve;
+  return vtkFragmentListsRead;
 }
 
 //------------------------------------------------------------------------------
@@ -179,7 +196,7 @@ void vtkFragmentLists::Release()
     window->PushContext();
     this->Framebuffer->ReleaseGraphicsResources(window);
     this->Nodes.Release(window);
-    for (vtkTextureObject* texture : { this->Room.Get(), this->Ranges.Get(), this->Dropped.Get() })
+    for (vtkTextureObject* texture : { this->Room.Get(), this->Ranges.Get(), this->Failures.Get() })
     {
       texture->ReleaseGraphicsResources(window);
     }
@@ -218,8 +235,8 @@ std::string vtkFragmentLists::Begin(vtkOpenGLRenderWindow* window, int width, in
     return "fragment lists of " + size + " were asked for; from 1 to " + std::to_string(largest) +
       " (GL_MAX_TEXTURE_SIZE) are possible in each direction";
   }
-  std::uint32_t none = 0;
-  if (!this->Resize(width, height) || !CreateIntegers(this->Dropped, window, 1, 1, 1, &none))
+  std::uint32_t none[2] = { 0, 0 };
+  if (!this->Resize(width, height) || !CreateIntegers(this->Failures, window, 2, 1, 1, none))
   {
     return "there is no memory on the graphics device for the counters of " + size;
   }
@@ -298,7 +315,7 @@ void vtkFragmentLists::RestoreImageUnits()
 void vtkFragmentLists::BindImages(vtkShaderProgram* program)
 {
   const unsigned int names[NumberOfUnits] = { this->Room->GetHandle(), this->Ranges->GetHandle(),
-    this->Nodes.GetHandle(), this->Dropped->GetHandle() };
+    this->Nodes.GetHandle(), this->Failures->GetHandle() };
   const unsigned int formats[NumberOfUnits] = { GL_R32UI, GL_RG32UI, GL_RGBA32UI, GL_R32UI };
   for (int unit = 0; unit < NumberOfUnits; ++unit)
   {
@@ -328,13 +345,6 @@ void vtkFragmentLists::SetParameters(vtkShaderProgram* program)
     this->BindImages(program);
     program->SetUniformi("fragmentListIsCounting", this->IsCounting ? 1 : 0);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkFragmentLists::SetResolveParameters(vtkShaderProgram* program)
-{
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-  this->BindImages(program);
 }
 
 //------------------------------------------------------------------------------
@@ -511,12 +521,123 @@ void vtkFragmentLists::BeginStrip(int strip)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkFragmentLists::SortStrip()
+{
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  if (this->LargestNumberPerPixel < 2)
+  {
+    return {};
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(state);
+  const vtkOpenGLState::ScopedglScissor scissor(state);
+  const vtkOpenGLState::ScopedglColorMask mask(state);
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  const vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+  const vtkOpenGLState::ScopedglEnableDisable multisample(state, GL_MULTISAMPLE);
+  const std::array<int, 2> rows = this->GetStripRows(this->CurrentStrip);
+  state->vtkglViewport(0, 0, this->Width, this->Height);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(0, rows[0], this->Width, rows[1] - rows[0]);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDisable(GL_MULTISAMPLE);
+  state->PushDrawFramebufferBinding();
+  // OpenGL wants something to draw to, of the lists' size; no value is written.
+  this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
+  this->Framebuffer->AddColorAttachment(0, this->Room);
+  this->Framebuffer->ActivateDrawBuffer(0);
+  std::string error = this->DrawSort();
+  state->PopDrawFramebufferBinding();
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFragmentLists::DrawSort()
+{
+  std::string source =
+    std::string("//VTK::System::Dec\n") + vtkFragmentListsRead + vtkFragmentListsSort;
+  InsertExtensions(source);
+  vtkShaderProgram* program =
+    this->Window->GetShaderCache()->ReadyShaderProgram(vtkLineSetsLayerVS, source.c_str(), "");
+  if (!program)
+  {
+    return "the shader that sorts fragments does not compile with this OpenGL";
+  }
+  vtkNew<vtkOpenGLVertexArrayObject> vao;
+  vao->Bind();
+  if (!vao->AddAttributeArray(program, this->Window->GetTQuad2DVBO(), "ndCoordIn", 0,
+        4 * sizeof(float), VTK_FLOAT, 2, false))
+  {
+    vao->Release();
+    return "the vertices of the draw that sorts fragments cannot be bound";
+  }
+  this->BindImages(program);
+  const int gapsPerDraw =
+    static_cast<int>(std::max<vtkIdType>(SafeNumberOfFragments / this->LargestNumberPerPixel, 1));
+  bool isSorted = true;
+  for (int end = 0; isSorted && end < static_cast<int>(Gaps.size());)
+  {
+    const int first = end;
+    if (Gaps[first] >= this->LargestNumberPerPixel)
+    {
+      ++end;
+      continue;
+    }
+    end = std::min(first + gapsPerDraw, static_cast<int>(Gaps.size()));
+    isSorted = this->SortByGaps(program, first, end);
+  }
+  vao->Release();
+  vao->ReleaseGraphicsResources();
+  return isSorted ? ""
+                  : "this OpenGL ends the loops of shaders early, so that the " +
+      std::to_string(this->LargestNumberPerPixel) + " fragments of a pixel cannot be sorted";
+}
+
+//------------------------------------------------------------------------------
+bool vtkFragmentLists::SortByGaps(vtkShaderProgram* program, int firstGap, int endGap)
+{
+  const int gaps[2] = { firstGap, endGap };
+  program->SetUniform2i("fragmentListGaps", gaps);
+  for (int i = 0; i < MaximumNumberOfTries; ++i)
+  {
+    vtkOpenGLRenderUtilities::DrawFullScreenQuad();
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    if (this->LargestNumberPerPixel <= SafeNumberOfFragments || this->TakeUnsortedPixels() == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFragmentLists::TakeUnsortedPixels()
+{
+  std::uint32_t failures[2] = { 0, 0 };
+  ReadIntegers(this->Failures, failures);
+  const vtkIdType unsorted = failures[1];
+  if (unsorted > 0)
+  {
+    failures[1] = 0;
+    CreateIntegers(this->Failures, this->Window, 2, 1, 1, failures);
+  }
+  return unsorted;
+}
+
+//------------------------------------------------------------------------------
+void vtkFragmentLists::SetReadParameters(vtkShaderProgram* program)
+{
+  this->BindImages(program);
+}
+
+//------------------------------------------------------------------------------
 void vtkFragmentLists::End()
 {
   this->IsCounting = false;
-  std::uint32_t dropped = 0;
-  ReadIntegers(this->Dropped, &dropped);
-  this->NumberOfDroppedFragments = dropped;
+  std::uint32_t failures[2] = { 0, 0 };
+  ReadIntegers(this->Failures, failures);
+  this->NumberOfDroppedFragments = failures[0];
   this->RestoreImageUnits();
 }
 

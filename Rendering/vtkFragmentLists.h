@@ -12,8 +12,8 @@
  *    pixel's fragments begin. Pixel rows are gathered to strips whose fragments fit into the
  * buffer.
  * 3. For every strip: BeginStrip(); the geometry is drawn again, and storeFragment() stores the
- *    fragments of the strip; then a quad over the strip is drawn, in whose shader sortFragments()
- *    sorts the fragments of its pixel and getFragment() gives them out from front to back.
+ *    fragments of the strip; SortStrip() sorts those of each pixel (Shell 1959); then a quad over
+ * the strip is drawn, in whose shader getFragment() gives them out from front to back.
  * 4. End().
  *
  * Fragments of equal depth are ordered by payload, so that pictures depend on no order of drawing.
@@ -56,14 +56,16 @@ public:
   /**
    * Text for a fragment shader with VTK's tags. The extensions belong right behind the line
    * //VTK::System::Dec; InsertExtensions() puts them there. The store part declares
-   * void storeFragment(ivec2 pixel, float depth, uvec3 payload); the resolve part, for a shader of
-   * its own, int sortFragments(ivec2 pixel), which returns the number of fragments, and uvec4
-   * getFragment(int index), which returns the bits of the depth and the payload. pixel is counted
-   * from the lists' first pixel, wherever the shader draws.
+   * void storeFragment(ivec2 pixel, float depth, uvec3 payload). The read part, for a shader of its
+   * own, declares int findFragments(ivec2 pixel), which turns to a pixel and returns the number of
+   * its fragments, 0 outside of the strip; uvec4 getFragment(int index), which returns the bits of
+   * the depth and the payload; and void dropFragments(int count), to be called for fragments that a
+   * loop has not come to, since software OpenGL (Mesa's llvmpipe) ends loops after 65535 turns in
+   * all. pixel is counted from the lists' first pixel, wherever the shader draws.
    */
   static std::string GetExtensionSource();
   static std::string GetStoreSource();
-  static std::string GetResolveSource();
+  static std::string GetReadSource();
   static void InsertExtensions(std::string& fragmentShader);
 
   /**
@@ -93,8 +95,14 @@ public:
   /// Fragments of the strip are stored from here on.
   void BeginStrip(int strip);
 
-  /// Prepare the program that has the resolve part, after the strip's fragments were stored.
-  void SetResolveParameters(vtkShaderProgram* program);
+  /**
+   * Sort the fragments of each pixel, after those of the strip were stored. Returns an empty
+   * string, or else what went wrong; then only End() may follow.
+   */
+  std::string SortStrip();
+
+  /// Prepare a program that has the read part, for the current strip.
+  void SetReadParameters(vtkShaderProgram* program);
 
   /// Restore OpenGL's image units, and find how many fragments were dropped.
   void End();
@@ -103,7 +111,8 @@ public:
   /**
    * About the last picture: fragments, the largest number in a pixel, and their mean over the
    * pixels that have any. GetNumberOfDroppedFragments() counts those that did not fit into the
-   * buffer, or were drawn for storing but not for counting, and is known after End().
+   * buffer, or were drawn for storing but not for counting, or were told to dropFragments(), and is
+   * known after End().
    */
   vtkIdType GetNumberOfFragments() const { return this->NumberOfFragments; }
   vtkIdType GetNumberOfDroppedFragments() const { return this->NumberOfDroppedFragments; }
@@ -153,11 +162,15 @@ private:
   bool UploadRanges();
   bool AllocateNodes(std::size_t maximum);
   void BindImages(vtkShaderProgram* program);
+  std::string DrawSort();
+  bool SortByGaps(vtkShaderProgram* program, int firstGap, int endGap);
+  vtkIdType TakeUnsortedPixels();
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkNew<vtkTextureObject> Room;
   vtkNew<vtkTextureObject> Ranges;
-  vtkNew<vtkTextureObject> Dropped;
+  // Numbers of dropped fragments and of pixels that are not sorted yet.
+  vtkNew<vtkTextureObject> Failures;
   vtkLineSetsBufferTexture Nodes;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::size_t MaximumNumberOfBytes = std::size_t(1) << 30;

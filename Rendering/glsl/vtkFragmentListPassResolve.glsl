@@ -20,14 +20,15 @@ float unpackFragmentColor(uint component)
 
 void main()
 {
-  int count = sortFragments(ivec2(gl_FragCoord.xy) - fragmentListOrigin);
+  int count = findFragments(ivec2(gl_FragCoord.xy) - fragmentListOrigin);
   if (count == 0)
   {
     discard;
   }
   vec3 color = vec3(0.0);
   float transmittance = 1.0;
-  for (int i = 0; i < count && transmittance > 0.0; ++i)
+  int i = 0;
+  for (; i < count && transmittance > 0.0; ++i)
   {
     uvec4 fragment = getFragment(i);
     float opacity = uintBitsToFloat(fragment.w);
@@ -35,6 +36,10 @@ void main()
       vec3(unpackFragmentColor(fragment.y), unpackFragmentColor(fragment.z),
         unpackFragmentColor((fragment.y >> 21) | ((fragment.z >> 21) << 11)));
     transmittance *= 1.0 - opacity;
+  }
+  if (i < count && transmittance > 0.0)
+  {
+    dropFragments(count - i);
   }
   gl_FragData[0] = vec4(color, 1.0 - transmittance);
 }
