@@ -14,11 +14,11 @@ vtkFourierOpacityElements::vtkFourierOpacityElements() = default;
 vtkFourierOpacityElements::~vtkFourierOpacityElements() = default;
 
 //------------------------------------------------------------------------------
-void vtkFourierOpacityElements::SetGroups(const std::vector<Group>& groups)
+void vtkFourierOpacityElements::SetGroups(const std::vector<vtkFourierOpacityGroup>& groups)
 {
   std::vector<std::unique_ptr<State>> states;
   this->Total = 0;
-  for (const Group& group : groups)
+  for (const vtkFourierOpacityGroup& group : groups)
   {
     const auto isSame = [&group](const std::unique_ptr<State>& state)
     {
@@ -39,7 +39,8 @@ void vtkFourierOpacityElements::SetGroups(const std::vector<Group>& groups)
       state->Shown = state->Seen;
       if (group.Neighbors && group.Neighbors->GetNumberOfTuples() > 0)
       {
-        state->Smoothing = std::make_unique<vtkOpacitySmoothing>(group.Count, group.Neighbors);
+        state->Smoothing = std::make_unique<vtkOpacitySmoothing>();
+        state->Smoothing->SetNeighbors(static_cast<int>(group.Count), group.Neighbors);
       }
     }
     // Its array may go with the mapper's input.

@@ -21,27 +21,29 @@
 
 class vtkIntArray;
 
+/// Elements of one mapper.
+struct vtkFourierOpacityGroup
+{
+  /// Whose elements: compared, never followed; and when they were made.
+  const void* Owner = nullptr;
+  vtkMTimeType BuildTime = 0;
+  vtkIdType Count = 0;
+  /// Pairs of neighbours, or null.
+  vtkIntArray* Neighbors = nullptr;
+};
+
 class VTKRENDERINGLINESETS_EXPORT vtkFourierOpacityElements
 {
 public:
   /// What fragments of an element that was not seen leave in its place.
   static constexpr float NotSeen = 2.0f;
 
-  struct Group
-  {
-    /// Whose elements: compared, never followed; and when they were made.
-    const void* Owner = nullptr;
-    vtkMTimeType BuildTime = 0;
-    vtkIdType Count = 0;
-    vtkIntArray* Neighbors = nullptr;
-  };
-
   vtkFourierOpacityElements();
   ~vtkFourierOpacityElements();
 
   /// Take the elements that are drawn now, group by group. What is known of groups that were there
   /// before is kept.
-  void SetGroups(const std::vector<Group>& groups);
+  void SetGroups(const std::vector<vtkFourierOpacityGroup>& groups);
 
   vtkIdType GetNumberOfElements() const { return this->Total; }
   vtkIdType GetFirstElement(std::size_t group) const { return this->States[group]->First; }
@@ -61,7 +63,7 @@ private:
 
   struct State
   {
-    Group Source;
+    vtkFourierOpacityGroup Source;
     vtkIdType First = 0;
     std::unique_ptr<vtkOpacitySmoothing> Smoothing;
     std::vector<float> Seen;

@@ -54,6 +54,8 @@
 #include <string> // For std::string
 
 class vtkFourierOpacityPainter;
+struct vtkFourierOpacityGroup;
+struct vtkFourierOpacityStage;
 class vtkOpacityOptimization;
 
 class VTKRENDERINGLINESETS_EXPORT vtkFourierOpacityMapper : public vtkIlluminatedLineMapper
@@ -154,8 +156,11 @@ private:
   vtkFourierOpacityMapper(const vtkFourierOpacityMapper&) = delete;
   void operator=(const vtkFourierOpacityMapper&) = delete;
 
-  struct Access;
-  friend struct vtkFourierOpacityAccess;
+  /// What the painter and the pass ask for: the elements of the input, which is brought up to date;
+  /// and a draw with the shaders of a stage, by itself or as the actor draws it.
+  vtkFourierOpacityGroup UpdateElements();
+  void RenderStage(
+    vtkRenderer* renderer, vtkActor* actor, const vtkFourierOpacityStage& stage, bool byActor);
   void RenderAlone(vtkRenderer* renderer, vtkActor* actor);
 
   class vtkInternals;

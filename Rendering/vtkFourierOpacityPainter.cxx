@@ -226,10 +226,10 @@ vtkFourierOpacityPainter::View& vtkFourierOpacityPainter::GetView(vtkRenderer* r
 //------------------------------------------------------------------------------
 std::string vtkFourierOpacityPainter::Prepare(Frame& frame)
 {
-  std::vector<vtkFourierOpacityElements::Group> groups;
+  std::vector<vtkFourierOpacityGroup> groups;
   for (const Item& item : frame.Items)
   {
-    groups.push_back(item.Mapper->GetElements());
+    groups.push_back(item.Mapper->UpdateElements());
   }
   frame.View.Elements.SetGroups(groups);
 
@@ -396,7 +396,7 @@ std::string vtkFourierOpacityPainter::FindOpacities(Frame& frame)
   this->Targets.Bind({ this->Targets.Colors }, nullptr);
   this->AddSumTextures(frame);
   frame.Textures.Add("fourierScene", frame.Scene);
-  glBindImageTexture(SmallestUnit, this->Smallest.GetTexture()->GetHandle(), 0, GL_FALSE, 0,
+  glBindImageTexture(SmallestUnit, this->Smallest.GetHandle(), 0, GL_FALSE, 0,
     GL_READ_WRITE, GL_R32UI);
   vtkFourierOpacityStage stage = frame.Stages.FindOpacities();
   this->DrawStage(frame, stage);

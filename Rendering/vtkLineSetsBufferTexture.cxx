@@ -44,6 +44,31 @@ bool vtkLineSetsBufferTexture::Upload(vtkOpenGLRenderWindow* window, const void*
   {
     return false;
   }
+  return this->CreateTexture(window, texels, format, components, vtkType);
+}
+
+//------------------------------------------------------------------------------
+bool vtkLineSetsBufferTexture::Allocate(vtkOpenGLRenderWindow* window, std::size_t texels,
+  std::size_t componentSize, unsigned int format, int components, int vtkType)
+{
+  this->Bytes = texels * components * componentSize;
+  // VTK's own Upload() takes no null pointer in every version: a byte makes the buffer.
+  const unsigned char nothing = 0;
+  if (!ForgetGLErrors() ||
+    !this->Buffer->Upload(&nothing, 1, vtkOpenGLBufferObject::TextureBuffer) ||
+    !this->Buffer->Bind())
+  {
+    return false;
+  }
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(this->Bytes), nullptr, GL_DYNAMIC_COPY);
+  return glGetError() == GL_NO_ERROR &&
+    this->CreateTexture(window, texels, format, components, vtkType);
+}
+
+//------------------------------------------------------------------------------
+bool vtkLineSetsBufferTexture::CreateTexture(vtkOpenGLRenderWindow* window, std::size_t texels,
+  unsigned int format, int components, int vtkType)
+{
   this->Texture->SetContext(window);
   this->Texture->SetInternalFormat(format);
   return this->Texture->CreateTextureBuffer(
@@ -72,6 +97,12 @@ void vtkLineSetsBufferTexture::Download(void* data, std::size_t bytes)
   this->Buffer->Bind();
   glGetBufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
   this->Buffer->Release();
+}
+
+//------------------------------------------------------------------------------
+unsigned int vtkLineSetsBufferTexture::GetHandle() const
+{
+  return this->Texture->GetHandle();
 }
 
 //------------------------------------------------------------------------------

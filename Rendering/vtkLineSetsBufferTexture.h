@@ -33,6 +33,13 @@ public:
   bool Upload(vtkOpenGLRenderWindow* window, const void* data, std::size_t texels,
     std::size_t componentSize, unsigned int format, int components, int vtkType);
 
+  /**
+   * Make room for a number of texels, whose values are undefined, in the same manner; for shaders
+   * that write.
+   */
+  bool Allocate(vtkOpenGLRenderWindow* window, std::size_t texels, std::size_t componentSize,
+    unsigned int format, int components, int vtkType);
+
   /// Bind it to a texture unit, if the program reads a sampler of that name: the compiler may have
   /// removed it.
   void Activate(vtkShaderProgram* program, const char* name);
@@ -41,8 +48,11 @@ public:
   /// Copy the buffer's first bytes back from the graphics device.
   void Download(void* data, std::size_t bytes);
 
-  /// The texture, for what VTK has no call for.
+  /// The texture, for others to activate.
   vtkTextureObject* GetTexture() const { return this->Texture; }
+
+  /// OpenGL's name of the texture, 0 for none; for image units, of which VTK knows nothing.
+  unsigned int GetHandle() const;
 
   /// Whether its texture has gone with its context, after it was uploaded.
   bool IsGone() const;
@@ -63,6 +73,9 @@ public:
 private:
   vtkLineSetsBufferTexture(const vtkLineSetsBufferTexture&) = delete;
   void operator=(const vtkLineSetsBufferTexture&) = delete;
+
+  bool CreateTexture(vtkOpenGLRenderWindow* window, std::size_t texels, unsigned int format,
+    int components, int vtkType);
 
   vtkSmartPointer<vtkOpenGLBufferObject> Buffer;
   vtkSmartPointer<vtkTextureObject> Texture;

@@ -10,6 +10,8 @@
 #define LINESETS_USE_OPENGL
 #include "vtkLineSetsCompatibilityPrivate.h"
 
+#include <cmath>
+
 namespace
 {
 unsigned int GetBinding(vtkOpenGLState* state, unsigned int which)
@@ -50,6 +52,13 @@ int GetReadBits(unsigned int attachment, unsigned int bits)
     glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, attachment, bits, &size);
   }
   return size;
+}
+
+// Attachment of the framebuffer bound for reading that holds depths; the window's own has another
+// name for it.
+unsigned int GetDepthAttachment(vtkOpenGLState* state)
+{
+  return GetBinding(state, GL_READ_FRAMEBUFFER_BINDING) == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
 }
 
 void ForgetGLErrors()
@@ -93,7 +102,7 @@ private:
     // Depth is copied only between equal formats.
     const bool own = GetBinding(this->State, GL_READ_FRAMEBUFFER_BINDING) == 0;
     const int depthBits =
-      GetReadBits(own ? GL_DEPTH : GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+      GetReadBits(GetDepthAttachment(this->State), GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
     const int stencilBits =
       GetReadBits(own ? GL_STENCIL : GL_STENCIL_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
     this->State->PushReadFramebufferBinding();
@@ -134,6 +143,21 @@ void vtkLineSetsSceneDepth::GetReadOrigin(
     GetBinding(state, GL_DRAW_FRAMEBUFFER_BINDING);
   readOrigin[0] = same ? viewport[0] : tiledOrigin[0];
   readOrigin[1] = same ? viewport[1] : tiledOrigin[1];
+}
+
+//------------------------------------------------------------------------------
+double vtkLineSetsSceneDepth::GetReadStep(vtkOpenGLRenderWindow* window)
+{
+  const unsigned int attachment = GetDepthAttachment(window->GetState());
+  const int bits = GetReadBits(attachment, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+  if (bits < 1)
+  {
+    return 0.0;
+  }
+  int type = GL_NONE;
+  glGetFramebufferAttachmentParameteriv(
+    GL_READ_FRAMEBUFFER, attachment, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+  return type == GL_FLOAT ? 0.0 : 1.0 / (std::ldexp(1.0, bits) - 1.0);
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,10 @@ public:
   static void GetReadOrigin(vtkOpenGLRenderWindow* window, const int viewport[4],
     const int tiledOrigin[2], int readOrigin[2]);
 
+  /// Smallest distance of two depths in the framebuffer bound for reading, 0 where it holds
+  /// floating point numbers.
+  static double GetReadStep(vtkOpenGLRenderWindow* window);
+
   /// Read the depths of a rectangle, row by row from the bottom, 0 to 1.
   bool Read(vtkOpenGLRenderWindow* window, const int origin[2], int width, int height,
     std::vector<float>& depth);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOpacityOptimization.h"
 
-#include "vtkLineSetsCheckedValue.h"
+#include "vtkLineSetsCheckedValuePrivate.h"
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkOpacityOptimization);

@@ -1,0 +1,391 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFourierOpacityMapper.h"
+
+#define LINESETS_USE_OPENGL
+#include "vtkLineSetsCompatibilityPrivate.h"
+
+#include "vtkActor.h"
+#include "vtkFloatArray.h"
+#include "vtkFourierOpacityPainter.h"
+#include "vtkFourierOpacityShader.h"
+#include "vtkFourierOpacityStage.h"
+#include "vtkFourierOpacityVertices.h"
+#include "vtkIlluminatedLineVertices.h"
+#include "vtkLineSetsCheckedValuePrivate.h"
+#include "vtkLineSetsFrameCounter.h"
+#include "vtkLineSetsLayer.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpacityOptimization.h"
+#include "vtkOpacitySegments.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexBufferObjectCache.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+
+class vtkFourierOpacityMapper::vtkInternals
+{
+public:
+  vtkSmartPointer<vtkOpacityOptimization> Optimization =
+    vtkSmartPointer<vtkOpacityOptimization>::New();
+  vtkFourierOpacityVertices Vertices;
+  // What is drawn: null for what vtkIlluminatedLineMapper draws.
+  const vtkFourierOpacityStage* Stage = nullptr;
+  // Stages of the programs that the primitives have.
+  std::map<const vtkOpenGLHelper*, std::string> Keys;
+
+  // By itself.
+  vtkFourierOpacityPainter Painter;
+  vtkLineSetsLayer Layer;
+  vtkLineSetsFrameCounter Frames;
+  vtkIdType Frame = -1;
+  vtkFourierOpacityStage Selection;
+
+  // What has been said, so that it is said once.
+  std::vector<std::string> Said;
+  std::string Error;
+};
+
+vtkStandardNewMacro(vtkFourierOpacityMapper);
+
+namespace
+{
+// Values of the points of a copy in which points of the input are repeated.
+vtkSmartPointer<vtkFloatArray> Repeat(vtkFloatArray* values, vtkPolyData* drawn)
+{
+  vtkDataArray* ids =
+    drawn->GetPointData()->GetArray(vtkIlluminatedLineVertices::GetPointIdName());
+  if (!values || !ids)
+  {
+    return values;
+  }
+  const vtkIdType count = drawn->GetNumberOfPoints();
+  auto repeated = vtkSmartPointer<vtkFloatArray>::New();
+  repeated->SetNumberOfComponents(values->GetNumberOfComponents());
+  repeated->SetNumberOfTuples(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    repeated->SetTuple(i, static_cast<vtkIdType>(ids->GetComponent(i, 0)), values);
+  }
+  return repeated;
+}
+
+// Whether the opacity of a fragment is known only with its colour.
+bool HasLateOpacity(vtkActor* actor)
+{
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  return actor->GetTexture() || actor->GetProperty()->GetNumberOfTextures() > 0 ||
+    shaders->GetNumberOfShaderReplacements() > 0 || shaders->HasFragmentShaderCode();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityMapper::vtkFourierOpacityMapper()
+  : Internals(new vtkInternals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityMapper::~vtkFourierOpacityMapper() = default;
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::SetOptimization(vtkOpacityOptimization* optimization)
+{
+  if (optimization != this->Internals->Optimization || !optimization)
+  {
+    this->Internals->Optimization =
+      optimization ? optimization : vtkSmartPointer<vtkOpacityOptimization>::New().Get();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkOpacityOptimization* vtkFourierOpacityMapper::GetOptimization()
+{
+  return this->Internals->Optimization;
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::SetImportanceArrayName(const std::string& name)
+{
+  if (this->ImportanceArrayName != name)
+  {
+    this->ImportanceArrayName = name;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::SetImportanceRange(double low, double high)
+{
+  if (!std::isfinite(low) || !std::isfinite(high))
+  {
+    vtkErrorMacro("ImportanceRange (" << low << ", " << high
+                                      << ") is not valid: it must be two finite numbers, the first "
+                                         "above the second for the range of the array. It stays ("
+                                      << this->ImportanceRange[0] << ", "
+                                      << this->ImportanceRange[1] << ").");
+    return;
+  }
+  if (this->ImportanceRange[0] != low || this->ImportanceRange[1] != high)
+  {
+    this->ImportanceRange[0] = low;
+    this->ImportanceRange[1] = high;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::SetNumberOfLineSegments(int number)
+{
+  vtkLineSetsSetInRange(this, "NumberOfLineSegments", this->NumberOfLineSegments, number, 1,
+    vtkOpacitySegments::LargestNumberOfSegments + 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::SetNumberOfPatches(int number)
+{
+  vtkLineSetsSetInRange(this, "NumberOfPatches", this->NumberOfPatches, number, 1,
+    vtkOpacitySegments::LargestNumberOfSegments + 0);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFourierOpacityMapper::GetNumberOfBytes()
+{
+  return this->Internals->Painter.GetNumberOfBytes();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFourierOpacityMapper::GetNumberOfSumBytes()
+{
+  return this->Internals->Painter.GetNumberOfSumBytes();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkFourierOpacityMapper::GetMTime()
+{
+  // Not that of the optimization: nothing that the mapper keeps depends on it.
+  return this->Superclass::GetMTime();
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityGroup vtkFourierOpacityMapper::UpdateElements()
+{
+  vtkInternals& internals = *this->Internals;
+  vtkFourierOpacityGroup group;
+  group.Owner = this;
+  if (!this->Static)
+  {
+    this->Update();
+  }
+  vtkPolyData* input = this->GetInput();
+  if (!input)
+  {
+    return group;
+  }
+  vtkFourierOpacityVertices::Settings settings;
+  settings.ArrayName = this->ImportanceArrayName;
+  settings.Range[0] = this->ImportanceRange[0];
+  settings.Range[1] = this->ImportanceRange[1];
+  settings.NumberOfLineSegments = this->NumberOfLineSegments;
+  settings.NumberOfPatches = this->NumberOfPatches;
+  if (internals.Vertices.Update(input, settings))
+  {
+    const std::vector<std::string> said = internals.Said;
+    internals.Said = internals.Vertices.GetWarnings();
+    for (const std::string& warning : internals.Said)
+    {
+      if (std::find(said.begin(), said.end(), warning) == said.end())
+      {
+        vtkWarningMacro(<< warning);
+      }
+    }
+  }
+  group.BuildTime = internals.Vertices.GetBuildTime();
+  group.Count = internals.Vertices.GetNumberOfElements();
+  group.Neighbors = internals.Vertices.GetNeighbors();
+  return group;
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::RenderStage(
+  vtkRenderer* renderer, vtkActor* actor, const vtkFourierOpacityStage& stage, bool byActor)
+{
+  this->Internals->Stage = &stage;
+  if (byActor)
+  {
+    actor->RenderTranslucentPolygonalGeometry(renderer);
+  }
+  else
+  {
+    this->RenderPiece(renderer, actor);
+  }
+  this->Internals->Stage = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkInternals& internals = *this->Internals;
+  if (!internals.Stage && !renderer->GetSelector())
+  {
+    this->RenderAlone(renderer, actor);
+    return;
+  }
+  if (!internals.Stage)
+  {
+    this->UpdateElements();
+    this->Superclass::RenderPiece(renderer, actor);
+    return;
+  }
+  // The actor turns off depth writing for what is translucent.
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLState::ScopedglDepthMask mask(window->GetState());
+  window->GetState()->vtkglDepthMask(internals.Stage->WritesDepth ? 1 : 0);
+  this->Superclass::RenderPiece(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::RenderAlone(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkInternals& internals = *this->Internals;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!this->GetInput() && this->GetNumberOfInputConnections(0) == 0)
+  {
+    vtkErrorMacro("No input!");
+    return;
+  }
+  // Depth peeling draws again what the frame has already.
+  const vtkIdType frame = internals.Frames.GetFrame(renderer);
+  std::string error;
+  if (frame != internals.Frame || !internals.Layer.HasPicture())
+  {
+    error = internals.Painter.Draw(renderer, { { actor, this } }, internals.Optimization,
+      [&](const vtkFourierOpacityPainter::Item& item, const vtkFourierOpacityStage& stage)
+      { item.Mapper->RenderStage(renderer, item.Actor, stage, false); });
+    internals.Layer.SetTextures(internals.Painter.GetColor(), internals.Painter.GetDepth());
+    internals.Frame = frame;
+  }
+  if (error.empty())
+  {
+    int viewport[4];
+    window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+    error = internals.Layer.Draw(window, this, actor, viewport[0], viewport[1]);
+  }
+  if (!error.empty() && error != internals.Error)
+  {
+    vtkErrorMacro(<< error);
+  }
+  internals.Error = error;
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLVertexBufferObjectCache* cache = window->GetVBOCache();
+  const vtkFourierOpacityVertices& vertices = this->Internals->Vertices;
+  const auto add = [&](const char* name, vtkFloatArray* values)
+  {
+    this->VBOs->CacheDataArray(name, Repeat(values, this->CurrentInput), cache, VTK_FLOAT);
+  };
+  add(vtkFourierOpacityShader::ImportanceAttribute, vertices.GetImportance());
+  add(vtkFourierOpacityShader::ElementsAttribute, vertices.GetElements());
+  add(vtkFourierOpacityShader::WeightsAttribute, vertices.GetWeights());
+  this->Superclass::BuildBufferObjects(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+bool vtkFourierOpacityMapper::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  const bool isNeeded = this->Superclass::GetNeedToRebuildShaders(cellBO, renderer, actor);
+  const vtkFourierOpacityStage* stage = this->Internals->Stage;
+  std::string& last = this->Internals->Keys[&cellBO];
+  const std::string key =
+    stage ? stage->GetKey() + (HasLateOpacity(actor) ? "late" : "") : std::string();
+  const bool isOther = key != last;
+  last = key;
+  return isNeeded || isOther;
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::ReplaceShaderValues(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  if (this->Internals->Stage)
+  {
+    vtkFourierOpacityShader::Insert(shaders, *this->Internals->Stage,
+      this->Internals->Vertices.GetElements() != nullptr, HasLateOpacity(actor));
+  }
+  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::ReplaceShaderRenderPass(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor,
+  bool prePass)
+{
+  // Stages are drawn to the painter's own textures; passes get the layer.
+  if (!this->Internals->Stage)
+  {
+    this->Superclass::ReplaceShaderRenderPass(shaders, renderer, actor, prePass);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
+  if (this->Internals->Stage && this->Internals->Stage->SetParameters)
+  {
+    this->Internals->Stage->SetParameters(cellBO.Program);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internals->Painter.ReleaseGraphicsResources(window);
+  this->Internals->Layer.ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* other = vtkFourierOpacityMapper::SafeDownCast(mapper))
+  {
+    this->SetImportanceArrayName(other->ImportanceArrayName);
+    this->SetImportanceRange(other->ImportanceRange);
+    this->SetNumberOfLineSegments(other->NumberOfLineSegments);
+    this->SetNumberOfPatches(other->NumberOfPatches);
+    this->SetOptimization(other->GetOptimization());
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ImportanceArrayName: " << this->ImportanceArrayName << "\n";
+  os << indent << "ImportanceRange: " << this->ImportanceRange[0] << " "
+     << this->ImportanceRange[1] << "\n";
+  os << indent << "NumberOfLineSegments: " << this->NumberOfLineSegments << "\n";
+  os << indent << "NumberOfPatches: " << this->NumberOfPatches << "\n";
+  os << indent << "Optimization:\n";
+  this->Internals->Optimization->PrintSelf(os, indent.GetNextIndent());
+}
