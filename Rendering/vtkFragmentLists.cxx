@@ -32,25 +32,17 @@ enum Unit
   RoomUnit,
   RangesUnit,
   NodesUnit,
-  FailuresUnit,
+  DroppedUnit,
   NumberOfUnits
 };
 constexpr const char* UniformNames[NumberOfUnits] = { "fragmentListRoom", "fragmentListRanges",
-  "fragmentListNodes", "fragmentListFailures" };
+  "fragmentListNodes", "fragmentListDropped" };
 
 // Four components of 32 bits.
 constexpr std::size_t BytesPerNode = 16;
 
-// The gaps of the sort, the largest first, as its shader has them.
-constexpr std::array<int, 15> Gaps = { 177784, 79015, 35118, 15608, 6937, 3083, 1577, 701, 301, 132,
-  57, 23, 10, 4, 1 };
-
-// Software OpenGL ends loops after 65535 turns in all. A gap takes up to 7 turns per fragment where
-// they come in any order, so that draws for so many fragments and gaps are far from it.
-constexpr vtkIdType SafeNumberOfFragments = 4000;
-
-// How often a gap is done again where a loop ended early; each time all that was sorted is passed.
-constexpr int MaximumNumberOfTries = 100;
+// Software OpenGL ends the loops of a shader after 65535 turns in all; one draw stays below that.
+constexpr int MaximumNumberOfTurns = 60000;
 
 // A buffer of up to so many nodes (16 MiB) is kept however few are needed.
 constexpr std::size_t KeptNodes = std::size_t(1) << 20;
@@ -196,7 +188,7 @@ void vtkFragmentLists::Release()
     window->PushContext();
     this->Framebuffer->ReleaseGraphicsResources(window);
     this->Nodes.Release(window);
-    for (vtkTextureObject* texture : { this->Room.Get(), this->Ranges.Get(), this->Failures.Get() })
+    for (vtkTextureObject* texture : { this->Room.Get(), this->Ranges.Get(), this->Dropped.Get() })
     {
       texture->ReleaseGraphicsResources(window);
     }
@@ -235,8 +227,8 @@ std::string vtkFragmentLists::Begin(vtkOpenGLRenderWindow* window, int width, in
     return "fragment lists of " + size + " were asked for; from 1 to " + std::to_string(largest) +
       " (GL_MAX_TEXTURE_SIZE) are possible in each direction";
   }
-  std::uint32_t none[2] = { 0, 0 };
-  if (!this->Resize(width, height) || !CreateIntegers(this->Failures, window, 2, 1, 1, none))
+  std::uint32_t none = 0;
+  if (!this->Resize(width, height) || !CreateIntegers(this->Dropped, window, 1, 1, 1, &none))
   {
     return "there is no memory on the graphics device for the counters of " + size;
   }
@@ -315,7 +307,7 @@ void vtkFragmentLists::RestoreImageUnits()
 void vtkFragmentLists::BindImages(vtkShaderProgram* program)
 {
   const unsigned int names[NumberOfUnits] = { this->Room->GetHandle(), this->Ranges->GetHandle(),
-    this->Nodes.GetHandle(), this->Failures->GetHandle() };
+    this->Nodes.GetHandle(), this->Dropped->GetHandle() };
   const unsigned int formats[NumberOfUnits] = { GL_R32UI, GL_RG32UI, GL_RGBA32UI, GL_R32UI };
   for (int unit = 0; unit < NumberOfUnits; ++unit)
   {
@@ -573,56 +565,25 @@ std::string vtkFragmentLists::DrawSort()
     return "the vertices of the draw that sorts fragments cannot be bound";
   }
   this->BindImages(program);
-  const int gapsPerDraw =
-    static_cast<int>(std::max<vtkIdType>(SafeNumberOfFragments / this->LargestNumberPerPixel, 1));
-  bool isSorted = true;
-  for (int end = 0; isSorted && end < static_cast<int>(Gaps.size());)
+  // A step takes one turn and one for each level of the heap.
+  const int largest = static_cast<int>(this->LargestNumberPerPixel);
+  int turns = 2;
+  for (int size = largest; size > 1; size /= 2)
   {
-    const int first = end;
-    if (Gaps[first] >= this->LargestNumberPerPixel)
-    {
-      ++end;
-      continue;
-    }
-    end = std::min(first + gapsPerDraw, static_cast<int>(Gaps.size()));
-    isSorted = this->SortByGaps(program, first, end);
+    ++turns;
+  }
+  const int stepsPerDraw = MaximumNumberOfTurns / turns;
+  const int numberOfSteps = largest / 2 + largest - 1;
+  for (int step = 0; step < numberOfSteps; step += stepsPerDraw)
+  {
+    const int steps[2] = { step, step + stepsPerDraw };
+    program->SetUniform2i("fragmentListSteps", steps);
+    vtkOpenGLRenderUtilities::DrawFullScreenQuad();
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   }
   vao->Release();
   vao->ReleaseGraphicsResources();
-  return isSorted ? ""
-                  : "this OpenGL ends the loops of shaders early, so that the " +
-      std::to_string(this->LargestNumberPerPixel) + " fragments of a pixel cannot be sorted";
-}
-
-//------------------------------------------------------------------------------
-bool vtkFragmentLists::SortByGaps(vtkShaderProgram* program, int firstGap, int endGap)
-{
-  const int gaps[2] = { firstGap, endGap };
-  program->SetUniform2i("fragmentListGaps", gaps);
-  for (int i = 0; i < MaximumNumberOfTries; ++i)
-  {
-    vtkOpenGLRenderUtilities::DrawFullScreenQuad();
-    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    if (this->LargestNumberPerPixel <= SafeNumberOfFragments || this->TakeUnsortedPixels() == 0)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkFragmentLists::TakeUnsortedPixels()
-{
-  std::uint32_t failures[2] = { 0, 0 };
-  ReadIntegers(this->Failures, failures);
-  const vtkIdType unsorted = failures[1];
-  if (unsorted > 0)
-  {
-    failures[1] = 0;
-    CreateIntegers(this->Failures, this->Window, 2, 1, 1, failures);
-  }
-  return unsorted;
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -635,9 +596,9 @@ void vtkFragmentLists::SetReadParameters(vtkShaderProgram* program)
 void vtkFragmentLists::End()
 {
   this->IsCounting = false;
-  std::uint32_t failures[2] = { 0, 0 };
-  ReadIntegers(this->Failures, failures);
-  this->NumberOfDroppedFragments = failures[0];
+  std::uint32_t dropped = 0;
+  ReadIntegers(this->Dropped, &dropped);
+  this->NumberOfDroppedFragments = dropped;
   this->RestoreImageUnits();
 }
 

@@ -12,7 +12,7 @@
  *    pixel's fragments begin. Pixel rows are gathered to strips whose fragments fit into the
  * buffer.
  * 3. For every strip: BeginStrip(); the geometry is drawn again, and storeFragment() stores the
- *    fragments of the strip; SortStrip() sorts those of each pixel (Shell 1959); then a quad over
+ *    fragments of the strip; SortStrip() sorts those of each pixel (heap sort); then a quad over
  * the strip is drawn, in whose shader getFragment() gives them out from front to back.
  * 4. End().
  *
@@ -163,14 +163,12 @@ private:
   bool AllocateNodes(std::size_t maximum);
   void BindImages(vtkShaderProgram* program);
   std::string DrawSort();
-  bool SortByGaps(vtkShaderProgram* program, int firstGap, int endGap);
-  vtkIdType TakeUnsortedPixels();
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkNew<vtkTextureObject> Room;
   vtkNew<vtkTextureObject> Ranges;
-  // Numbers of dropped fragments and of pixels that are not sorted yet.
-  vtkNew<vtkTextureObject> Failures;
+  // One number.
+  vtkNew<vtkTextureObject> Dropped;
   vtkLineSetsBufferTexture Nodes;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::size_t MaximumNumberOfBytes = std::size_t(1) << 30;

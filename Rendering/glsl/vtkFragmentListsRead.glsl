@@ -7,8 +7,8 @@
 layout(r32ui) readonly uniform uimage2D fragmentListRoom;
 layout(rg32ui) readonly uniform uimage2D fragmentListRanges;
 layout(rgba32ui) uniform uimageBuffer fragmentListNodes;
-// Two numbers: fragments that were dropped, pixels whose fragments are not sorted yet.
-layout(r32ui) uniform uimage2D fragmentListFailures;
+// One number: fragments that were dropped.
+layout(r32ui) uniform uimage2D fragmentListDropped;
 uniform int fragmentListWidth;
 // The rows that are looked at: first, end.
 uniform ivec2 fragmentListRows;
@@ -39,5 +39,5 @@ uvec4 getFragment(int index)
 // Counts fragments that a loop has not come to: software OpenGL ends loops after so many turns.
 void dropFragments(int count)
 {
-  imageAtomicAdd(fragmentListFailures, ivec2(0), uint(count));
+  imageAtomicAdd(fragmentListDropped, ivec2(0), uint(count));
 }

@@ -2,69 +2,107 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Sorts the fragments of a pixel where they lie, after vtkFragmentListsRead; see vtkFragmentLists.
+// Short lists get insertion sort in an array of the shader's own, others heap sort, whose steps may
+// be done in several draws: their number is known, and so is what each may take.
 
-// The gaps to do of those below: first, end.
-uniform ivec2 fragmentListGaps;
+// The steps of heap sort to do: first, end. Short lists are sorted in the draw that has step 0.
+uniform ivec2 fragmentListSteps;
 
-// Shell sort; gaps of Ciura 2001, continued by a factor of 9/4. Short lists get insertion sort.
-const int Gaps[15] =
-  int[15](177784, 79015, 35118, 15608, 6937, 3083, 1577, 701, 301, 132, 57, 23, 10, 4, 1);
+const int ShortCount = 16;
+uvec4 shortList[ShortCount];
 
 // Nearer first; of equal depth, by payload: then no order of drawing is told from another.
 bool isFragmentBefore(uvec4 a, uvec4 b)
 {
-  if (a.x != b.x)
-  {
-    return a.x < b.x;
-  }
-  if (a.y != b.y)
-  {
-    return a.y < b.y;
-  }
-  return a.z != b.z ? a.z < b.z : a.w < b.w;
+  return a.x != b.x ? a.x < b.x
+                    : (a.y != b.y ? a.y < b.y : (a.z != b.z ? a.z < b.z : a.w < b.w));
 }
 
-// Insertion sort of every gap-th fragment. Returns how many fragments it came to. No fragment is
-// lost where a loop ends early.
-int sortFragmentsByGap(int count, int gap)
+void sortShortList(int count)
 {
-  int i = gap;
-  for (; i < count; ++i)
+  for (int i = 0; i < count; ++i)
   {
-    uvec4 node = imageLoad(fragmentListNodes, fragmentListFirst + i);
+    uvec4 node = getFragment(i);
     int k = i;
-    while (k >= gap)
+    while (k > 0)
     {
-      uvec4 other = imageLoad(fragmentListNodes, fragmentListFirst + k - gap);
+      uvec4 other = shortList[k - 1];
       if (!isFragmentBefore(node, other))
       {
         break;
       }
-      imageStore(fragmentListNodes, fragmentListFirst + k, other);
-      k -= gap;
+      shortList[k] = other;
+      --k;
     }
-    if (k != i)
-    {
-      imageStore(fragmentListNodes, fragmentListFirst + k, node);
-    }
+    shortList[k] = node;
   }
-  return i;
+  for (int i = 0; i < count; ++i)
+  {
+    imageStore(fragmentListNodes, fragmentListFirst + i, shortList[i]);
+  }
+}
+
+// Puts a node where it belongs in the heap (no fragment is before its children) of count fragments,
+// from an index downwards, whose own fragment is lost. It takes up to log2(count) turns.
+void sinkFragment(uvec4 node, int index, int count)
+{
+  int child = 2 * index + 1;
+  while (child < count)
+  {
+    uvec4 other = getFragment(child);
+    if (child + 1 < count)
+    {
+      uvec4 second = getFragment(child + 1);
+      if (isFragmentBefore(other, second))
+      {
+        other = second;
+        ++child;
+      }
+    }
+    if (!isFragmentBefore(node, other))
+    {
+      break;
+    }
+    imageStore(fragmentListNodes, fragmentListFirst + index, other);
+    index = child;
+    child = 2 * index + 1;
+  }
+  imageStore(fragmentListNodes, fragmentListFirst + index, node);
+}
+
+// The first count / 2 steps make the heap; each further one takes the last fragment out of it.
+void sortLongList(int count)
+{
+  int parents = count / 2;
+  int end = min(fragmentListSteps.y, parents + count - 1);
+  for (int step = fragmentListSteps.x; step < end; ++step)
+  {
+    int index = parents - 1 - step;
+    int size = count;
+    if (step >= parents)
+    {
+      size = parents + count - 1 - step;
+      index = size;
+    }
+    uvec4 node = getFragment(index);
+    if (step >= parents)
+    {
+      imageStore(fragmentListNodes, fragmentListFirst + index, getFragment(0));
+      index = 0;
+    }
+    sinkFragment(node, index, size);
+  }
 }
 
 void main()
 {
   int count = findFragments(ivec2(gl_FragCoord.xy));
-  bool isDone = true;
-  int i = fragmentListGaps.x;
-  for (; i < fragmentListGaps.y; ++i)
+  if (count > ShortCount)
   {
-    if (Gaps[i] < count)
-    {
-      isDone = isDone && sortFragmentsByGap(count, Gaps[i]) == count;
-    }
+    sortLongList(count);
   }
-  if (!isDone || i < fragmentListGaps.y)
+  else if (fragmentListSteps.x == 0)
   {
-    imageAtomicAdd(fragmentListFailures, ivec2(1, 0), 1u);
+    sortShortList(count);
   }
 }

@@ -10,8 +10,8 @@ layout(r32ui) uniform uimage2D fragmentListRoom;
 layout(rg32ui) readonly uniform uimage2D fragmentListRanges;
 // A node: bits of the depth, payload.
 layout(rgba32ui) writeonly uniform uimageBuffer fragmentListNodes;
-// Two numbers, the first of which is that of fragments for which there was no node.
-layout(r32ui) uniform uimage2D fragmentListFailures;
+// One number: fragments for which there was no node.
+layout(r32ui) uniform uimage2D fragmentListDropped;
 uniform int fragmentListIsCounting;
 uniform int fragmentListWidth;
 // The rows that are looked at: first, end.
@@ -35,7 +35,7 @@ void storeFragment(ivec2 pixel, float depth, uvec3 payload)
   int room = int(imageAtomicAdd(fragmentListRoom, pixel, 0xffffffffu));
   if (room <= 0)
   {
-    imageAtomicAdd(fragmentListFailures, ivec2(0), 1u);
+    imageAtomicAdd(fragmentListDropped, ivec2(0), 1u);
     return;
   }
   // The bits of floats from 0 on are ordered as the floats are; -0 would not be.

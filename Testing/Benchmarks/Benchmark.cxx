@@ -29,20 +29,48 @@ namespace linesets
 {
 namespace
 {
-// Lines and their colours alone, so that all methods draw the same.
-vtkSmartPointer<vtkPolyData> KeepLines(vtkPolyData* input)
+// Lines and their colours alone, so that all methods draw the same; vertex cells and polygons,
+// with normals, where there are no lines.
+vtkSmartPointer<vtkPolyData> KeepGeometry(vtkPolyData* input)
 {
-  auto lines = vtkSmartPointer<vtkPolyData>::New();
-  lines->SetPoints(input->GetPoints());
-  lines->SetLines(input->GetLines());
+  auto geometry = vtkSmartPointer<vtkPolyData>::New();
+  geometry->SetPoints(input->GetPoints());
+  if (input->GetNumberOfLines() > 0)
+  {
+    geometry->SetLines(input->GetLines());
+  }
+  else
+  {
+    geometry->SetVerts(input->GetVerts());
+    geometry->SetPolys(input->GetPolys());
+    geometry->GetPointData()->SetNormals(input->GetPointData()->GetNormals());
+  }
   vtkDataArray* scalars = input->GetPointData()->GetScalars();
   const bool color = scalars && scalars->GetDataType() == VTK_UNSIGNED_CHAR &&
     (scalars->GetNumberOfComponents() == 3 || scalars->GetNumberOfComponents() == 4);
   if (scalars && (scalars->GetNumberOfComponents() == 1 || color))
   {
-    lines->GetPointData()->SetScalars(scalars);
+    geometry->GetPointData()->SetScalars(scalars);
   }
-  return lines;
+  return geometry;
+}
+
+// Told before hours of measuring.
+void CheckOptionsOfLines(const BenchmarkOptions& options, vtkPolyData* geometry)
+{
+  if (geometry->GetNumberOfLines() > 0)
+  {
+    return;
+  }
+  if (options.Animate)
+  {
+    throw std::runtime_error("--animate moves lines, and " + options.Scene + " has none");
+  }
+  if (options.Reference)
+  {
+    throw std::runtime_error(
+      "--reference: exact pictures are of lines, and " + options.Scene + " has none");
+  }
 }
 
 std::string GetRendererName(vtkRenderWindow* window)
@@ -82,18 +110,27 @@ void Benchmark::MakeInput()
   sceneOptions.Lines = options.Lines;
   sceneOptions.Vertices = options.Vertices;
   sceneOptions.DataFolder = options.DataFolder;
-  this->Input.Lines =
-    KeepLines(named ? MakeScene(options.Scene, sceneOptions) : ReadScene(options.Scene));
+  this->Input.Scene = named ? MakeScene(options.Scene, sceneOptions) : ReadScene(options.Scene);
+  this->Input.Geometry = KeepGeometry(this->Input.Scene);
+  if (!options.Opacities.ImportanceArray.empty())
+  {
+    GetImportance(this->Input); // a wrong name is told at once
+  }
+  CheckOptionsOfLines(options, this->Input.Geometry);
   if (options.Animate)
   {
-    this->Moving = std::make_unique<MovingLines>(this->Input.Lines);
+    this->Moving = std::make_unique<MovingLines>(this->Input.Geometry);
   }
   double* bounds = this->Input.Bounds;
-  this->Input.Lines->GetBounds(bounds);
+  this->Input.Geometry->GetBounds(bounds);
   const double longest =
     std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  if (options.Scene == "surfaces")
+  {
+    this->Input.Closeness = 0.73; // a funnel leaves more of its bounds empty
+  }
   this->Input.Radius = options.Radius > 0.0 ? options.Radius : longest / 512.0;
-  vtkDataArray* scalars = this->Input.Lines->GetPointData()->GetScalars();
+  vtkDataArray* scalars = this->Input.Geometry->GetPointData()->GetScalars();
   if (scalars && scalars->GetNumberOfComponents() == 1)
   {
     this->Input.Table = vtkSmartPointer<vtkLookupTable>::New();
@@ -168,6 +205,10 @@ void Benchmark::Attempt(
 //------------------------------------------------------------------------------
 void Benchmark::PrepareMethod(BenchmarkMethod& method)
 {
+  if (DrawsLinesOnly(method.Name) && this->Input.Geometry->GetNumberOfLines() == 0)
+  {
+    throw std::runtime_error(method.Name + " draws lines only, and there are none");
+  }
   method.Prepare(this->Input);
   this->Window->AddRenderer(method.GetRenderer());
 }
@@ -249,7 +290,7 @@ void Benchmark::DrawTimedFrames()
     PlaceCamera(this->Input, frame);
     if (this->Moving)
     {
-      this->Input.Lines = this->Moving->GetLines(frame);
+      this->Input.Geometry = this->Moving->GetLines(frame);
     }
     for (BenchmarkEntry& entry : this->Entries)
     {

@@ -36,13 +36,17 @@ writes one JSON object per method.
 
 SCENE or --scene SCENE   )"
       << Wrap(GetSceneNames()) << R"(,
-                         or a file of lines, .vtp or .vtk, coloured by its active point scalars
---lines N --vertices N   size of a named scene, in place of its own
+                         or a file of lines, .vtp or .vtk, coloured by its active point scalars;
+                         of a file without lines, its vertices and polygons. The method lines
+                         draws these, too; the others need lines
+--lines N --vertices N   size of a named scene, in place of its own. For points, --lines is the
+                         number of points; for surfaces, that of the stream lines of each of the
+                         20 surfaces
 --methods LIST           of
                          )"
       << Wrap(GetMethodNames()) << R"(,
                          separated by commas (default voxel,tubes,line-tubes; below opacity 1
-                         voxel,oit)
+                         voxel,oit; for points and surfaces lines)
   voxel                  vtkVoxelLineMapper
   voxel-hard-shadow      the same with hard shadows; this and the next two and voxel-full need
                          --light right or studio, since a headlight casts no shadows that the
@@ -59,7 +63,8 @@ SCENE or --scene SCENE   )"
   oit                    the same by VTK's order-independent translucency
   line-tubes             lines as they are, with RenderLinesAsTubes of vtkProperty; the width is
                          that of the tubes at the focal point
-  lines                  lines as VTK draws them, without light
+  lines                  lines, points and surfaces as VTK draws them; lines and points without
+                         light
   illuminated            vtkIlluminatedLineMapper, cylinder averaging
   illuminated-max        the same with maximum reflection
   illuminated-blinn      the same with Blinn's highlights
@@ -81,11 +86,26 @@ SCENE or --scene SCENE   )"
                          which takes half as many passes over all tubes as there are layers, and
                          hence minutes to hours for a frame of the large scenes on a processor;
                          with a limit ratio_peeling is a lower bound)
---line-width W           of lines and illuminated lines, in pixels (default 1)
+--line-width W           of lines and illuminated lines, and size of points, in pixels (default 1)
 --samples N              samples per pixel (default 0: no multisampling; for the plain pass only)
 --stretch                stretch the dynamic range of illuminated lines
 --plain                  draw lines in one colour on a dark background, in place of scalars on
                          white
+--importance NAME        array of the points, of one component, that tells opacity optimization what
+                         is important, from 0 to 1; scaled to that where it leaves it (default:
+                         importance, which all named scenes have, or else the active scalars)
+--bands M                frequencies of the Fourier series of opacity optimization, 1 to 16
+                         (default 5)
+--subset N               opacity optimization takes one of N cells for its series, 1 to 1000000
+                         (default 1: all)
+--smoothing N            steps by which optimized opacities are smoothed along the geometry, 0 to
+                         1000 (default 15)
+--weights P,Q,R,LAMBDA   of the energy that opacity optimization minimizes: of opacity itself, of
+                         what hides the important, and of clutter behind it, and the exponent that
+                         emphasizes the important; p from 1e-6 to 1e6, q and r from 0 to 1e6,
+                         lambda from 1e-6 to 100 (default 1,50,50,2)
+--importance-sums SUMS   fourier (default), or exact: sums of importance over all fragments of a
+                         pixel, in the order of their depths
 --radius R               of the tubes in units of the data (default: 1/512 of the longest side
                          of the bounds, that is, half a voxel of 256)
 --opacity A              0 to 1 (default 1)
@@ -117,12 +137,12 @@ SCENE or --scene SCENE   )"
 void PrintKeys(std::ostream& out)
 {
   out << R"(
-Keys: scene lines vertices method engine width height opacity radius light animated frames
-median_ms min_ms max_ms cpu_ms rebuild_ms draw_ms build_ms first_frame_ms model_bytes gpu_bytes
-segments drawn peels shadows shadow_level cone_angle occlusion occlusion_radius occlusion_samples
-rmse ssim rmse_decoded densities_ms occlusion_ms rmse_occlusion bias_occlusion rmse_occlusion_lines
-bias_occlusion_lines rmse_occlusion_seen bias_occlusion_seen ratio_tubes ratio_peeling ratio_lines
-ratio_voxel renderer vtk threads error.
+Keys: scene lines points polygons vertices method engine width height opacity radius light
+animated frames median_ms min_ms max_ms cpu_ms rebuild_ms draw_ms build_ms first_frame_ms
+model_bytes gpu_bytes segments drawn peels shadows shadow_level cone_angle occlusion
+occlusion_radius occlusion_samples rmse ssim rmse_decoded densities_ms occlusion_ms rmse_occlusion
+bias_occlusion rmse_occlusion_lines bias_occlusion_lines rmse_occlusion_seen bias_occlusion_seen
+ratio_tubes ratio_peeling ratio_lines ratio_voxel renderer vtk threads error.
 Keys that do not apply are left out.
 
 Times are wall clock times of a frame until OpenGL has finished, but cpu_ms is the median of the

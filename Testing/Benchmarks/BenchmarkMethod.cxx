@@ -3,12 +3,14 @@
 #include "BenchmarkMethod.h"
 
 #include "LineMethods.h"
+#include "SceneImportance.h"
 #include "TubeMethod.h"
 #include "VoxelMethod.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkFloatArray.h"
 #include "vtkLight.h"
 #include "vtkLookupTable.h"
 #include "vtkPolyData.h"
@@ -18,6 +20,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 namespace linesets
 {
@@ -56,6 +59,21 @@ void BenchmarkMethod::SetMapper(vtkPolyDataMapper* mapper, const BenchmarkInput&
 }
 
 //------------------------------------------------------------------------------
+vtkFloatArray* GetImportance(BenchmarkInput& input)
+{
+  if (!input.Importance)
+  {
+    input.Importance = MakeImportance(input.Scene, input.Options.Opacities.ImportanceArray);
+  }
+  if (!input.Importance)
+  {
+    throw std::runtime_error("the points have neither an array importance nor scalars of one "
+                             "component; --importance names another array");
+  }
+  return input.Importance;
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::string> GetMethodNames()
 {
   std::vector<std::string> names = { "voxel" };
@@ -75,6 +93,12 @@ std::vector<std::string> GetMethodNames()
 bool IsVoxelMethod(const std::string& name)
 {
   return name == "voxel" || VoxelMethod::FindVariant(name);
+}
+
+//------------------------------------------------------------------------------
+bool DrawsLinesOnly(const std::string& name)
+{
+  return name != "lines";
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,7 @@
 
 class vtkActor;
 class vtkCamera;
+class vtkFloatArray;
 class vtkLight;
 class vtkLookupTable;
 class vtkPolyData;
@@ -36,14 +37,21 @@ class JsonObject;
 struct BenchmarkInput
 {
   BenchmarkOptions Options;
-  /// The lines of the current frame.
-  vtkSmartPointer<vtkPolyData> Lines;
-  /// Bounds of the lines at rest, in units of the data.
+  /// The lines of the current frame; or vertex cells, polygons or both, where there are no lines.
+  vtkSmartPointer<vtkPolyData> Geometry;
+  /// The scene at rest with all its arrays.
+  vtkSmartPointer<vtkPolyData> Scene;
+  /// What GetImportance made.
+  vtkSmartPointer<vtkFloatArray> Importance;
+  /// Bounds of the geometry at rest, in units of the data.
   double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  /// Distance of the camera, where that from which a sphere about the bounds fills the picture
+  /// is 1.
+  double Closeness = 0.85;
   vtkSmartPointer<vtkCamera> Camera;
   /// Empty where the headlight that VTK makes is the light.
   std::vector<vtkSmartPointer<vtkLight>> Lights;
-  /// Null where the lines have no colours of their own.
+  /// Null where the geometry has no colours of their own.
   vtkSmartPointer<vtkLookupTable> Table;
   double Radius = 0.0;
   double PixelRadius = 0.0; ///< the radius at the focal point, in pixels
@@ -61,8 +69,8 @@ public:
   /// Build what is drawn, before the first frame. Fills BuildMilliseconds.
   virtual void Prepare(BenchmarkInput& input) = 0;
 
-  /// Give new lines to the pipeline and bring it up to date. Returns the milliseconds in which it
-  /// made something else of them, NaN where they are drawn as they are.
+  /// Give new geometry to the pipeline and bring it up to date. Returns the milliseconds in which
+  /// it made something else of them, NaN where they are drawn as they are.
   virtual double Update(BenchmarkInput& input) = 0;
 
   /// Add the keys that only this method has; after the last frame.
@@ -95,11 +103,19 @@ protected:
   vtkNew<vtkActor> Actor;
 };
 
+/// The importance of the points of all frames, from 0 to 1, for opacity optimization; made for the
+/// first method that needs it. The geometry has no such array, so that other methods do not carry
+/// it along. Throws std::runtime_error where there is none.
+vtkFloatArray* GetImportance(BenchmarkInput& input);
+
 /// Names of all methods.
 std::vector<std::string> GetMethodNames();
 
 /// Whether a method is drawn by vtkVoxelLineMapper, which has engines.
 bool IsVoxelMethod(const std::string& name);
+
+/// Whether a method draws lines and nothing else.
+bool DrawsLinesOnly(const std::string& name);
 
 /// Whether a method has shadows, for which a headlight does not do.
 bool HasShadows(const std::string& name);

@@ -109,6 +109,26 @@ std::vector<std::string> ToNames(
   return names;
 }
 
+std::string ToOneName(
+  const std::string& option, const std::string& text, const std::vector<std::string>& known)
+{
+  if (std::find(known.begin(), known.end(), text) == known.end())
+  {
+    throw std::invalid_argument(
+      option + ": " + (text.empty() ? "an empty name" : text) + " is none of " + Join(known));
+  }
+  return text;
+}
+
+std::string ToGivenName(const std::string& option, const std::string& text)
+{
+  if (text.empty())
+  {
+    throw std::invalid_argument(option + ": an empty name");
+  }
+  return text;
+}
+
 void SetSize(BenchmarkOptions& options, const std::string& text)
 {
   const std::size_t x = text.find('x');
@@ -129,6 +149,21 @@ int ToFaceBins(const std::string& text)
       "--face-bins: " + text + " is neither a power of two from 2 to 2048 nor 0 (exact)");
   }
   return bins;
+}
+
+std::array<double, 4> ToWeights(const std::string& text)
+{
+  const std::vector<std::string> parts = Split(text);
+  if (parts.size() != 4)
+  {
+    throw std::invalid_argument("--weights: " + text + " is not of the form P,Q,R,LAMBDA");
+  }
+  // The energy has p and lambda above 0; numbers near 0 are as good as 0.
+  constexpr double least = 1e-6;
+  constexpr double most = 1e6;
+  return { { ToNumber("--weights, p", parts[0], least, most),
+    ToNumber("--weights, q", parts[1], 0.0, most), ToNumber("--weights, r", parts[2], 0.0, most),
+    ToNumber("--weights, lambda", parts[3], least, 100.0) } };
 }
 
 using Setter = std::function<void(BenchmarkOptions&, const std::string&)>;
@@ -160,7 +195,7 @@ std::map<std::string, Setter> GetSetters()
     { "--samples", [](O& o, const S& v) { o.Samples = ToInt("--samples", v, 0, 64); } },
     { "--light",
       [](O& o, const S& v) {
-        o.Light = ToNames("--light", v, { "headlight", "right", "studio" }).front();
+        o.Light = ToOneName("--light", v, { "headlight", "right", "studio" });
       } },
     { "--shadow-level",
       [](O& o, const S& v) { o.ShadowLevel = ToInt("--shadow-level", v, 1, 12); } },
@@ -173,6 +208,17 @@ std::map<std::string, Setter> GetSetters()
       [](O& o, const S& v) { o.OcclusionSamples = ToInt("--occlusion-samples", v, 1, 10000); } },
     { "--occlusion-places",
       [](O& o, const S& v) { o.OcclusionPlaces = ToInt("--occlusion-places", v, 1, 1000000); } },
+    { "--bands", [](O& o, const S& v) { o.Opacities.Bands = ToInt("--bands", v, 1, 16); } },
+    { "--subset", [](O& o, const S& v) { o.Opacities.Subset = ToInt("--subset", v, 1, 1000000); } },
+    { "--smoothing",
+      [](O& o, const S& v) { o.Opacities.Smoothing = ToInt("--smoothing", v, 0, 1000); } },
+    { "--weights", [](O& o, const S& v) { o.Opacities.Weights = ToWeights(v); } },
+    { "--importance-sums",
+      [](O& o, const S& v) {
+        o.Opacities.ImportanceSums = ToOneName("--importance-sums", v, { "fourier", "exact" });
+      } },
+    { "--importance",
+      [](O& o, const S& v) { o.Opacities.ImportanceArray = ToGivenName("--importance", v); } },
     { "--json", [](O& o, const S& v) { o.JsonFile = v; } },
     { "--image", [](O& o, const S& v) { o.ImagePrefix = v; } },
     { "--data", [](O& o, const S& v) { o.DataFolder = v; } },
@@ -218,6 +264,14 @@ void CheckTogether(BenchmarkOptions& options)
   {
     throw std::invalid_argument(
       options.Scene + " is none of " + Join(scenes) + ", nor a file .vtp or .vtk");
+  }
+  if (named)
+  {
+    CheckSceneOptions(options.Scene, { options.Lines, options.Vertices, "" });
+  }
+  if (options.Methods.empty() && named && !IsSceneOfLines(options.Scene))
+  {
+    options.Methods = { "lines" };
   }
   if (options.Methods.empty())
   {

@@ -8,12 +8,25 @@
 #ifndef BenchmarkOptions_h
 #define BenchmarkOptions_h
 
+#include <array>  // For weights
 #include <iosfwd> // For the help
 #include <string> // For names
 #include <vector> // For lists
 
 namespace linesets
 {
+/// Of the methods with opacity optimization: Baeza Rojo et al., 2019.
+struct OpacityOptions
+{
+  int Bands = 5;      ///< of the Fourier series, 1 to 16
+  int Subset = 1;     ///< one of so many cells is taken for the series, 1 to 1000000
+  int Smoothing = 15; ///< steps of smoothing of opacities along the geometry, 0 to 1000
+  /// p (above 0, to 1e6), q and r (0 to 1e6) and lambda (above 0, to 100) of the energy, Eq. 1.
+  std::array<double, 4> Weights = { { 1.0, 50.0, 50.0, 2.0 } };
+  std::string ImportanceSums = "fourier"; ///< or exact
+  std::string ImportanceArray;            ///< empty: importance, or else the active scalars
+};
+
 struct BenchmarkOptions
 {
   std::string Scene;
@@ -44,6 +57,7 @@ struct BenchmarkOptions
   bool DecodedReference = false;
   bool OcclusionReference = false;
   int OcclusionPlaces = 300; ///< held against the occlusion reference, 1 to 1000000
+  OpacityOptions Opacities;
   std::string JsonFile;
   std::string ImagePrefix;
   std::string DataFolder;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace linesets
 {
@@ -40,6 +41,21 @@ double GetPeerMedian(const std::vector<BenchmarkEntry>& entries, const std::stri
     }
   }
   return std::numeric_limits<double>::quiet_NaN();
+}
+
+// Of the cells that there are. Geometry without cells does not come here.
+void AddCounts(JsonObject& object, vtkPolyData* geometry)
+{
+  const std::pair<const char*, vtkIdType> counts[] = { { "lines", geometry->GetNumberOfLines() },
+    { "points", geometry->GetNumberOfVerts() }, { "polygons", geometry->GetNumberOfPolys() } };
+  for (const auto& count : counts)
+  {
+    if (count.second > 0)
+    {
+      object.Add(count.first, static_cast<long long>(count.second));
+    }
+  }
+  object.Add("vertices", static_cast<long long>(geometry->GetNumberOfPoints()));
 }
 
 void AddTimes(JsonObject& object, const BenchmarkMethod& method)
@@ -89,8 +105,7 @@ std::string DescribeEntry(const BenchmarkEntry& entry, const std::vector<Benchma
   BenchmarkMethod& method = *entry.Method;
   JsonObject object;
   object.Add("scene", vtksys::SystemTools::GetFilenameName(input.Options.Scene));
-  object.Add("lines", static_cast<long long>(input.Lines->GetNumberOfLines()));
-  object.Add("vertices", static_cast<long long>(input.Lines->GetNumberOfPoints()));
+  AddCounts(object, input.Geometry);
   object.Add("method", method.Name);
   object.Add("width", input.Options.Width);
   object.Add("height", input.Options.Height);

@@ -35,12 +35,12 @@ void PlaceCamera(const BenchmarkInput& input, int frame)
   const double reach = 0.5 * std::sqrt(diagonal);
   vtkCamera* camera = input.Camera;
   camera->SetViewAngle(ViewAngle);
-  // The sphere about the bounds touches the border of the shorter side of the image at 1; corners
-  // are mostly empty, so go a little closer.
+  // A sphere about the bounds touches the border of the shorter side of the image at 1; corners are
+  // mostly empty, so that the camera can be closer.
   const double aspect = static_cast<double>(input.Options.Width) / input.Options.Height;
   const double halfAngle = vtkMath::RadiansFromDegrees(0.5 * ViewAngle);
-  const double distance =
-    0.85 * reach / std::sin(aspect < 1.0 ? std::atan(aspect * std::tan(halfAngle)) : halfAngle);
+  const double distance = input.Closeness * reach /
+    std::sin(aspect < 1.0 ? std::atan(aspect * std::tan(halfAngle)) : halfAngle);
   double direction[3] = { 0.55, -0.75, 0.36 };
   vtkMath::Normalize(direction);
   camera->SetFocalPoint(center);

@@ -29,8 +29,8 @@ LineTubeMethod::~LineTubeMethod() = default;
 //------------------------------------------------------------------------------
 void LineTubeMethod::Prepare(BenchmarkInput& input)
 {
-  this->Segments = CountLineSegments(input.Lines);
-  this->Mapper->SetInputData(input.Lines);
+  this->Segments = CountLineSegments(input.Geometry);
+  this->Mapper->SetInputData(input.Geometry);
   this->SetMapper(this->Mapper, input);
   this->Actor->GetProperty()->RenderLinesAsTubesOn();
   this->Actor->GetProperty()->SetLineWidth(static_cast<float>(2.0 * input.PixelRadius));
@@ -39,7 +39,7 @@ void LineTubeMethod::Prepare(BenchmarkInput& input)
 //------------------------------------------------------------------------------
 double LineTubeMethod::Update(BenchmarkInput& input)
 {
-  this->Mapper->SetInputData(input.Lines);
+  this->Mapper->SetInputData(input.Geometry);
   return NotANumber;
 }
 
@@ -80,27 +80,31 @@ LineMethod::~LineMethod() = default;
 //------------------------------------------------------------------------------
 void LineMethod::Prepare(BenchmarkInput& input)
 {
-  this->Segments = CountLineSegments(input.Lines);
+  this->Segments = CountLineSegments(input.Geometry);
   if (this->Illuminated)
   {
     this->Illuminated->GetIllumination()->SetStretchDynamicRange(input.Options.Stretch);
   }
-  this->Mapper->SetInputData(input.Lines);
+  this->Mapper->SetInputData(input.Geometry);
   this->SetMapper(this->Mapper, input);
   this->Actor->GetProperty()->SetLineWidth(static_cast<float>(input.Options.LineWidth));
+  this->Actor->GetProperty()->SetPointSize(static_cast<float>(input.Options.LineWidth));
 }
 
 //------------------------------------------------------------------------------
 double LineMethod::Update(BenchmarkInput& input)
 {
-  this->Mapper->SetInputData(input.Lines);
+  this->Mapper->SetInputData(input.Geometry);
   return NotANumber;
 }
 
 //------------------------------------------------------------------------------
 void LineMethod::Describe(JsonObject& object)
 {
-  object.Add("segments", this->Segments);
+  if (this->Segments > 0)
+  {
+    object.Add("segments", this->Segments);
+  }
   if (this->Illuminated)
   {
     object.Add("drawn", static_cast<long long>(this->Illuminated->GetNumberOfDrawnSegments()));

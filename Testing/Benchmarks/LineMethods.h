@@ -30,7 +30,8 @@ private:
   vtkNew<vtkPolyDataMapper> Mapper;
 };
 
-/// Lines one pixel wide (or as wide as was asked for), without and with light.
+/// Lines one pixel wide (or as wide as was asked for), without and with light. Without, also points
+/// of the same size, and surfaces, which have the light that lines have not.
 class LineMethod : public BenchmarkMethod
 {
 public:

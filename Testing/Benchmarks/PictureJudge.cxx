@@ -43,7 +43,7 @@ void PictureJudge::DrawExact(BenchmarkMethod& method)
   std::cerr << "reference\n";
   LineOptions lineOptions;
   lineOptions.Radius = this->Input.Radius;
-  if (vtkDataArray* scalars = this->Input.Lines->GetPointData()->GetScalars())
+  if (vtkDataArray* scalars = this->Input.Geometry->GetPointData()->GetScalars())
   {
     if (!scalars->GetName())
     {
@@ -52,7 +52,7 @@ void PictureJudge::DrawExact(BenchmarkMethod& method)
     lineOptions.ColorArray = scalars->GetName();
   }
   // Camera, lights and material are the same for all methods.
-  DrawReference(MakeCapsulesFromLines(this->Input.Lines, lineOptions), method, this->Exact);
+  DrawReference(MakeCapsulesFromLines(this->Input.Geometry, lineOptions), method, this->Exact);
   this->Drawn = true;
   const std::string& prefix = this->Input.Options.ImagePrefix;
   if (!prefix.empty() && !WriteImage(this->Exact, prefix + "-reference.png"))

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace linesets
@@ -20,27 +21,26 @@ bool IsInUnitCube(const double point[3])
   return std::all_of(point, point + 3, [](double x) { return x >= 0.0 && x <= 1.0; });
 }
 
-// Linear interpolation in the cell whose eight corners are given by their indices along the axes.
-void Interpolate(const std::vector<std::array<float, 3>>& values, const std::size_t corners[3][2],
-  const double weights[3], double result[3])
+// Oxygen and both hydrogen atoms: bond length 0.9572 angstrom, bond angle 104.5 degrees.
+constexpr double Across = 0.75695;
+constexpr double Along = 0.58588;
+constexpr double Atoms[3][3] = { { 0.0, 0.0, 0.0 }, { Across, Along, 0.0 },
+  { -Across, Along, 0.0 } };
+
+// Where the tornado's funnel is at a height.
+struct Funnel
 {
-  std::fill_n(result, 3, 0.0);
-  for (int corner = 0; corner < 8; ++corner)
+  explicit Funnel(double z)
+    : Center{ 0.5 + 0.1 * std::sin(10.0 * z), 0.5 + 0.1 * std::cos(3.0 * z) }
+    , Radius(0.1 + 0.4 * z * z + 0.1 * z * std::sin(8.0 * z))
+    , Wall(0.2 + 0.1 * z)
   {
-    const int upper[3] = { corner & 1, (corner >> 1) & 1, corner >> 2 };
-    double weight = 1.0;
-    std::size_t index = 0;
-    for (int i = 0; i < 3; ++i)
-    {
-      weight *= upper[i] ? weights[i] : 1.0 - weights[i];
-      index += corners[i][upper[i]];
-    }
-    for (int i = 0; i < 3; ++i)
-    {
-      result[i] += weight * values[index][i];
-    }
   }
-}
+
+  double Center[2];
+  double Radius;
+  double Wall; // thickness
+};
 }
 
 //------------------------------------------------------------------------------
@@ -51,20 +51,47 @@ bool TornadoField::Evaluate(const double point[3], double, double vector[3]) con
     return false;
   }
   const double z = point[2];
-  const double x = point[0] - (0.5 + 0.1 * std::sin(10.0 * z));
-  const double y = point[1] - (0.5 + 0.1 * std::cos(3.0 * z));
-  const double funnel = 0.1 + 0.4 * z * z + 0.1 * z * std::sin(8.0 * z);
-  const double wall = 0.2 + 0.1 * z;
+  const Funnel funnel(z);
+  const double x = point[0] - funnel.Center[0];
+  const double y = point[1] - funnel.Center[1];
   const double distance = std::hypot(x, y);
   const double rise = std::max(0.0, 0.1 * (0.1 - distance * z));
-  const double fromWall = std::fabs(funnel - distance);
-  const double damping = fromWall > wall ? 0.8 - fromWall : 1.0;
+  const double fromWall = std::fabs(funnel.Radius - distance);
+  const double damping = fromWall > funnel.Wall ? 0.8 - fromWall : 1.0;
   const double speed = std::hypot(distance, rise);
-  const double spin = (funnel + wall - speed) * damping / ((speed + 1e-10) * (1.0 + z));
+  const double spin =
+    (funnel.Radius + funnel.Wall - speed) * damping / ((speed + 1e-10) * (1.0 + z));
   vector[0] = spin * y + 0.1 * x;
   vector[1] = -spin * x + 0.1 * y;
   vector[2] = spin * rise;
   return true;
+}
+
+//------------------------------------------------------------------------------
+void TornadoField::GetCore(double z, double center[2], double& radius)
+{
+  const Funnel funnel(z);
+  std::copy_n(funnel.Center, 2, center);
+  radius = funnel.Radius + funnel.Wall;
+}
+
+//------------------------------------------------------------------------------
+double TornadoField::GetCoreDistance(const double point[3])
+{
+  const Funnel funnel(point[2]);
+  return std::hypot(point[0] - funnel.Center[0], point[1] - funnel.Center[1]) /
+    (funnel.Radius + funnel.Wall);
+}
+
+//------------------------------------------------------------------------------
+double WaterField::GetAtomDistance(const double point[3])
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const double* atom : Atoms)
+  {
+    least = std::min(least, vtkMath::Distance2BetweenPoints(point, atom));
+  }
+  return std::sqrt(least);
 }
 
 //------------------------------------------------------------------------------
@@ -79,16 +106,12 @@ bool LorenzField::Evaluate(const double point[3], double, double vector[3]) cons
 //------------------------------------------------------------------------------
 bool WaterField::Evaluate(const double point[3], double, double vector[3]) const
 {
-  // Bond length 0.9572 angstrom, bond angle 104.5 degrees.
-  const double across = 0.75695;
-  const double along = 0.58588;
-  const double atoms[3][3] = { { 0.0, 0.0, 0.0 }, { across, along, 0.0 }, { -across, along, 0.0 } };
   const double charges[3] = { -2.0, 1.0, 1.0 };
   std::fill_n(vector, 3, 0.0);
   for (int atom = 0; atom < 3; ++atom)
   {
     double r[3];
-    vtkMath::Subtract(point, atoms[atom], r);
+    vtkMath::Subtract(point, Atoms[atom], r);
     const double distance = vtkMath::Norm(r);
     if (distance < 0.5 * OxygenRadius)
     {
@@ -214,19 +237,7 @@ bool TurbulenceField::Evaluate(const double point[3], double, double vector[3]) 
   {
     return false;
   }
-  std::size_t corners[3][2];
-  double weights[3];
-  std::size_t stride = 1;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double position = point[i] * Size;
-    const int cell = static_cast<int>(position);
-    weights[i] = position - cell;
-    corners[i][0] = (cell % Size) * stride;
-    corners[i][1] = ((cell + 1) % Size) * stride;
-    stride *= Size;
-  }
-  Interpolate(this->Grid, corners, weights, vector);
+  this->Grid.Evaluate(point, vector);
   return true;
 }
 }

@@ -9,6 +9,7 @@
 #define SceneFields_h
 
 #include "LineTracer.h"
+#include "PeriodicGrid.h"
 
 #include "vtkSmartPointer.h" // For the image
 
@@ -30,6 +31,12 @@ class TornadoField : public VectorField
 {
 public:
   bool Evaluate(const double point[3], double time, double vector[3]) const override;
+
+  /// Centre of the funnel at height z, and the distance from it at which air no longer circles.
+  static void GetCore(double z, double center[2], double& radius);
+
+  /// Distance of a point from the funnel's centre over that distance.
+  static double GetCoreDistance(const double point[3]);
 };
 
 /// The attractor of Lorenz, 1963, with sigma = 10, rho = 28, beta = 8/3.
@@ -49,6 +56,9 @@ class WaterField : public VectorField
 public:
   static constexpr double OxygenRadius = 0.1;
   bool Evaluate(const double point[3], double time, double vector[3]) const override;
+
+  /// Distance to the nearest of the three atoms.
+  static double GetAtomDistance(const double point[3]);
 };
 
 /**
@@ -86,7 +96,7 @@ public:
 
 private:
   static constexpr int Size = 128;
-  std::vector<std::array<float, 3>> Grid;
+  PeriodicGrid Grid;
 };
 
 /**

@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes.h"
 
+#include "PointScene.h"
 #include "SceneFields.h"
+#include "SceneImportance.h"
+#include "SurfaceScene.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataReader.h"
 #include "vtkXMLImageDataReader.h"
@@ -42,6 +47,33 @@ TraceOptions MakeOptions(const SceneOptions& options, vtkIdType lines, int verti
   return trace;
 }
 
+// High speed is important. Smoothed along the lines, which have so many vertices.
+void MakeSpeedImportant(vtkPolyData* lines, int vertices)
+{
+  constexpr int smoothings = 16; // to a Gaussian with a standard deviation of 2.8 vertices
+  vtkDataArray* speeds = lines->GetPointData()->GetScalars();
+  AddImportance(
+    lines, [speeds](vtkIdType id, const double*) { return speeds->GetComponent(id, 0); }, vertices,
+    smoothings);
+}
+
+// Updraft is important: the speed times the slope of the line.
+void MakeRiseImportant(vtkPolyData* lines, int vertices)
+{
+  vtkDataArray* speeds = lines->GetPointData()->GetScalars();
+  AddImportance(lines,
+    [lines, speeds, vertices](vtkIdType id, const double*)
+    {
+      const vtkIdType first = id - id % vertices;
+      double before[3];
+      double after[3];
+      lines->GetPoint(std::max(id - 1, first), before);
+      lines->GetPoint(std::min(id + 1, first + vertices - 1), after);
+      const double length = std::sqrt(vtkMath::Distance2BetweenPoints(before, after));
+      return length > 0.0 ? speeds->GetComponent(id, 0) * (after[2] - before[2]) / length : 0.0;
+    });
+}
+
 vtkSmartPointer<vtkPolyData> MakeTornado(const SceneOptions& options)
 {
   TraceOptions trace = MakeOptions(options, 1000, 250);
@@ -55,7 +87,10 @@ vtkSmartPointer<vtkPolyData> MakeTornado(const SceneOptions& options)
   trace.Step = 2.5 / (trace.Vertices - 1.0);
   trace.BothWays = true;
   trace.FewestSteps = trace.Vertices / 5;
-  return TraceLines(TornadoField(), trace);
+  vtkSmartPointer<vtkPolyData> lines = TraceLines(TornadoField(), trace);
+  AddImportance(
+    lines, [](vtkIdType, const double point[3]) { return -TornadoField::GetCoreDistance(point); });
+  return lines;
 }
 
 vtkSmartPointer<vtkPolyData> MakeTurbulence(const SceneOptions& options)
@@ -71,7 +106,9 @@ vtkSmartPointer<vtkPolyData> MakeTurbulence(const SceneOptions& options)
   trace.Step = 1.0 / 256.0;
   trace.BothWays = true;
   trace.FewestSteps = trace.Vertices / 5;
-  return TraceLines(TurbulenceField(trace.Seed), trace);
+  vtkSmartPointer<vtkPolyData> lines = TraceLines(TurbulenceField(trace.Seed), trace);
+  MakeSpeedImportant(lines, trace.Vertices);
+  return lines;
 }
 
 vtkSmartPointer<vtkPolyData> MakeForecast(const SceneOptions& options)
@@ -88,7 +125,9 @@ vtkSmartPointer<vtkPolyData> MakeForecast(const SceneOptions& options)
   trace.Step = 1.0 / (trace.Vertices - 1.0);
   trace.Substeps = std::max(1, 36 / (trace.Vertices - 1));
   trace.FewestSteps = trace.Vertices - 2;
-  return TraceLines(WindField(trace.Seed), trace);
+  vtkSmartPointer<vtkPolyData> lines = TraceLines(WindField(trace.Seed), trace);
+  MakeRiseImportant(lines, trace.Vertices);
+  return lines;
 }
 
 vtkSmartPointer<vtkPolyData> MakeLorenz(const SceneOptions& options)
@@ -103,7 +142,10 @@ vtkSmartPointer<vtkPolyData> MakeLorenz(const SceneOptions& options)
   };
   trace.ByTime = true;
   trace.Step = 0.01;
-  return TraceLines(LorenzField(), trace);
+  vtkSmartPointer<vtkPolyData> lines = TraceLines(LorenzField(), trace);
+  AddImportance(
+    lines, [](vtkIdType, const double point[3]) { return -std::hypot(point[0], point[1]); });
+  return lines;
 }
 
 // Corners of an octahedron whose faces are parted in four, again and again, on the unit sphere.
@@ -173,7 +215,10 @@ vtkSmartPointer<vtkPolyData> MakeWater(const SceneOptions& options)
   trace.Step = 0.01;
   trace.Steps = 4000;
   trace.Attempts = 1;
-  return TraceLines(WaterField(), trace);
+  vtkSmartPointer<vtkPolyData> lines = TraceLines(WaterField(), trace);
+  AddImportance(
+    lines, [](vtkIdType, const double point[3]) { return -WaterField::GetAtomDistance(point); });
+  return lines;
 }
 
 vtkSmartPointer<vtkPolyData> MakeCarotid(const SceneOptions& options)
@@ -207,17 +252,47 @@ vtkSmartPointer<vtkPolyData> MakeCarotid(const SceneOptions& options)
   trace.Step = 100.0 / (trace.Vertices - 1.0);
   trace.BothWays = true;
   trace.FewestSteps = trace.Vertices / 10;
-  return TraceLines(ImageField(reader->GetOutput(), slowest), trace);
+  vtkSmartPointer<vtkPolyData> lines = TraceLines(ImageField(reader->GetOutput(), slowest), trace);
+  MakeSpeedImportant(lines, trace.Vertices);
+  return lines;
 }
 
-using Maker = vtkSmartPointer<vtkPolyData> (*)(const SceneOptions&);
-
-const std::vector<std::pair<std::string, Maker>>& GetMakers()
+vtkSmartPointer<vtkPolyData> MakePoints(const SceneOptions& options)
 {
-  static const std::vector<std::pair<std::string, Maker>> makers = { { "tornado", MakeTornado },
-    { "carotid", MakeCarotid }, { "turbulence", MakeTurbulence }, { "forecast", MakeForecast },
-    { "lorenz", MakeLorenz }, { "water", MakeWater } };
-  return makers;
+  return MakePointScene(options.Lines > 0 ? options.Lines : 3000000);
+}
+
+vtkSmartPointer<vtkPolyData> MakeSurfaces(const SceneOptions& options)
+{
+  return MakeSurfaceScene(options.Lines > 0 ? static_cast<int>(options.Lines) : 200,
+    options.Vertices > 0 ? options.Vertices : 250);
+}
+
+struct Scene
+{
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> (*Make)(const SceneOptions&);
+  bool Lines = true;
+};
+
+const std::vector<Scene>& GetScenes()
+{
+  static const std::vector<Scene> scenes = { { "tornado", MakeTornado }, { "carotid", MakeCarotid },
+    { "turbulence", MakeTurbulence }, { "forecast", MakeForecast }, { "lorenz", MakeLorenz },
+    { "water", MakeWater }, { "points", MakePoints, false }, { "surfaces", MakeSurfaces, false } };
+  return scenes;
+}
+
+const Scene& GetScene(const std::string& name)
+{
+  for (const Scene& scene : GetScenes())
+  {
+    if (scene.Name == name)
+    {
+      return scene;
+    }
+  }
+  throw std::invalid_argument("no scene named " + name);
 }
 }
 
@@ -225,28 +300,45 @@ const std::vector<std::pair<std::string, Maker>>& GetMakers()
 std::vector<std::string> GetSceneNames()
 {
   std::vector<std::string> names;
-  for (const auto& maker : GetMakers())
+  for (const Scene& scene : GetScenes())
   {
-    names.push_back(maker.first);
+    names.push_back(scene.Name);
   }
   return names;
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeScene(const std::string& name, const SceneOptions& options)
+bool IsSceneOfLines(const std::string& name)
 {
+  return GetScene(name).Lines;
+}
+
+//------------------------------------------------------------------------------
+void CheckSceneOptions(const std::string& name, const SceneOptions& options)
+{
+  GetScene(name);
   if (options.Lines < 0 || options.Vertices < 0 || options.Vertices == 1)
   {
     throw std::invalid_argument("a scene needs lines of at least two vertices");
   }
-  for (const auto& maker : GetMakers())
+  if (name == "points" && options.Vertices > 0)
   {
-    if (maker.first == name)
-    {
-      return maker.second(options);
-    }
+    throw std::invalid_argument(
+      "the scene points has no number of vertices, but of lines, which is "
+      "that of its points");
   }
-  throw std::invalid_argument("no scene named " + name);
+  if (name == "surfaces" && (options.Lines == 1 || options.Lines > 1000000))
+  {
+    throw std::invalid_argument(
+      "the scene surfaces needs from 2 to 1000000 lines, which are those of each surface");
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeScene(const std::string& name, const SceneOptions& options)
+{
+  CheckSceneOptions(name, options);
+  return GetScene(name).Make(options);
 }
 
 //------------------------------------------------------------------------------
@@ -258,29 +350,30 @@ vtkSmartPointer<vtkPolyData> ReadScene(const std::string& fileName)
   }
   const std::string extension =
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(fileName));
-  vtkSmartPointer<vtkPolyData> lines;
+  vtkSmartPointer<vtkPolyData> data;
   if (extension == ".vtp")
   {
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(fileName.c_str());
     reader->Update();
-    lines = reader->GetOutput();
+    data = reader->GetOutput();
   }
   else if (extension == ".vtk")
   {
     vtkNew<vtkPolyDataReader> reader;
     reader->SetFileName(fileName.c_str());
     reader->Update();
-    lines = reader->GetOutput();
+    data = reader->GetOutput();
   }
   else
   {
     throw std::runtime_error(fileName + " is neither .vtp nor .vtk");
   }
-  if (lines->GetNumberOfLines() == 0)
+  if (data->GetNumberOfLines() == 0 && data->GetNumberOfVerts() == 0 &&
+    data->GetNumberOfPolys() == 0)
   {
-    throw std::runtime_error(fileName + " has no lines");
+    throw std::runtime_error(fileName + " has no lines, vertices or polygons");
   }
-  return lines;
+  return data;
 }
 }

@@ -41,7 +41,7 @@ TubeMethod::~TubeMethod() = default;
 double TubeMethod::RunFilter(BenchmarkInput& input)
 {
   const auto start = std::chrono::steady_clock::now();
-  this->Filter->SetInputData(input.Lines);
+  this->Filter->SetInputData(input.Geometry);
   this->Filter->SetRadius(input.Radius);
   this->Filter->Update();
   return GetMilliseconds(start);
@@ -61,7 +61,7 @@ void TubeMethod::Prepare(BenchmarkInput& input)
     this->Peels = input.Options.Peels;
     this->Renderer->SetMaximumNumberOfPeels(this->Peels > 0 ? this->Peels : VTK_INT_MAX);
   }
-  this->Segments = CountLineSegments(input.Lines);
+  this->Segments = CountLineSegments(input.Geometry);
   if (!input.Tubes)
   {
     input.TubeMilliseconds = this->RunFilter(input);

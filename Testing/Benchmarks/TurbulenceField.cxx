@@ -93,16 +93,11 @@ std::vector<Mode> MakeModes(std::uint64_t seed)
 
 //------------------------------------------------------------------------------
 TurbulenceField::TurbulenceField(std::uint64_t seed)
-  : Grid(static_cast<std::size_t>(Size) * Size * Size, std::array<float, 3>{})
+  : Grid(Size)
 {
   const std::vector<Mode> modes = MakeModes(seed);
   // roots[k * x mod Size] = exp(i 2 pi k x / Size)
-  std::vector<Complex> roots(Size);
-  for (int i = 0; i < Size; ++i)
-  {
-    const double angle = 2.0 * vtkMath::Pi() * i / Size;
-    roots[i] = Complex(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
-  }
+  const std::vector<Complex> roots = GetUnitRoots(Size);
   const auto power = [&roots](int number, int position)
   { return roots[((number * position) % Size + Size) % Size]; };
   vtkSMPTools::For(0, Size, 1,
@@ -136,7 +131,7 @@ TurbulenceField::TurbulenceField(std::uint64_t seed)
               }
             }
           }
-          std::array<float, 3>* out = &this->Grid[(static_cast<std::size_t>(z) * Size + y) * Size];
+          std::array<float, 3>* out = this->Grid.GetSlice(z) + y * Size;
           for (int x = 0; x < Size; ++x)
           {
             out[x] = { { rows[0][x], rows[1][x], rows[2][x] } };

@@ -65,7 +65,7 @@ void VoxelMethod::SetGlobalIllumination(const BenchmarkOptions& options)
 //------------------------------------------------------------------------------
 void VoxelMethod::Prepare(BenchmarkInput& input)
 {
-  this->Mapper->SetInputData(input.Lines);
+  this->Mapper->SetInputData(input.Geometry);
   this->Mapper->SetRadius(input.Radius);
   this->Mapper->SetResolution(input.Options.Resolution);
   this->Mapper->SetFaceBins(input.Options.FaceBins);
@@ -85,7 +85,7 @@ void VoxelMethod::Prepare(BenchmarkInput& input)
 //------------------------------------------------------------------------------
 double VoxelMethod::Update(BenchmarkInput& input)
 {
-  this->Mapper->SetInputData(input.Lines);
+  this->Mapper->SetInputData(input.Geometry);
   if (!this->Mapper->GetModel())
   {
     throw std::runtime_error("no model was built");
