@@ -46,6 +46,7 @@ public:
   void SetGroups(const std::vector<vtkFourierOpacityGroup>& groups);
 
   vtkIdType GetNumberOfElements() const { return this->Total; }
+  std::size_t GetNumberOfGroups() const { return this->States.size(); }
   vtkIdType GetFirstElement(std::size_t group) const { return this->States[group]->First; }
 
   /**

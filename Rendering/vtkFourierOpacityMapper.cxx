@@ -50,7 +50,6 @@ public:
   vtkLineSetsLayer Layer;
   vtkLineSetsFrameCounter Frames;
   vtkIdType Frame = -1;
-  vtkFourierOpacityStage Selection;
 
   // What has been said, so that it is said once.
   std::vector<std::string> Said;
@@ -245,8 +244,16 @@ void vtkFourierOpacityMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor
   }
   if (!internals.Stage)
   {
+    vtkFourierOpacityStage selection;
     this->UpdateElements();
+    const bool known = internals.Painter.BeginSelection(renderer, 0, selection);
+    internals.Stage = known ? &selection : nullptr;
     this->Superclass::RenderPiece(renderer, actor);
+    internals.Stage = nullptr;
+    if (known)
+    {
+      internals.Painter.EndSelection();
+    }
     return;
   }
   // The actor turns off depth writing for what is translucent.

@@ -169,6 +169,21 @@ struct vtkFourierOpacityPainter::View
 //------------------------------------------------------------------------------
 struct vtkFourierOpacityPainter::Frame
 {
+  Frame(vtkRenderer* renderer, const std::vector<Item>& items,
+    vtkOpacityOptimization* optimization, const DrawFunction& drawItem,
+    const vtkFourierOpacityView& now, vtkFourierOpacityPainter::View& view)
+    : Window(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+    , State(this->Window->GetState())
+    , Renderer(renderer)
+    , Items(items)
+    , Optimization(optimization)
+    , DrawItem(drawItem)
+    , Now(now)
+    , Stages(optimization, now.IsParallel)
+    , View(view)
+  {
+  }
+
   vtkOpenGLRenderWindow* Window;
   vtkOpenGLState* State;
   vtkRenderer* Renderer;
@@ -334,7 +349,6 @@ std::string vtkFourierOpacityPainter::UploadElements(Frame& frame, const std::ve
 void vtkFourierOpacityPainter::SumImportance(Frame& frame)
 {
   const int sums = frame.Stages.Exact ? 0 : static_cast<int>(this->Targets.Sums.size());
-  const bool hasBounds = frame.Stages.HasBounds;
   frame.State->vtkglDisable(GL_DEPTH_TEST);
   frame.State->vtkglDepthMask(GL_FALSE);
   frame.State->vtkglEnable(GL_BLEND);
@@ -598,8 +612,7 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
     actors.push_back(item.Actor);
   }
   now.Set(renderer, actors);
-  Frame frame{ window, window->GetState(), renderer, items, optimization, drawItem, now,
-    vtkFourierOpacityStages(optimization, now.IsParallel), this->GetView(renderer) };
+  Frame frame(renderer, items, optimization, drawItem, now, this->GetView(renderer));
   this->LastView = &frame.View;
   error = this->Prepare(frame);
   if (!error.empty())
@@ -647,9 +660,32 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
 }
 
 //------------------------------------------------------------------------------
-bool vtkFourierOpacityPainter::PrepareSelection(const Item& item, vtkFourierOpacityStage& stage)
+bool vtkFourierOpacityPainter::BeginSelection(
+  vtkRenderer* renderer, std::size_t item, vtkFourierOpacityStage& stage)
 {
-  return false;
+  vtkTextureObject* texture = this->Opacities.GetTexture();
+  if (!this->LastView || this->LastView->Renderer != renderer ||
+    item >= this->LastView->Elements.GetNumberOfGroups() || texture->GetHandle() == 0)
+  {
+    return false;
+  }
+  texture->Activate();
+  const auto first = static_cast<int>(this->LastView->Elements.GetFirstElement(item));
+  const int shift = this->Shift;
+  stage = vtkFourierOpacityStages::Select();
+  stage.SetParameters = [texture, first, shift](vtkShaderProgram* program)
+  {
+    SetIfUsed(program, "fourierOpacities", texture->GetTextureUnit());
+    SetIfUsed(program, "fourierFirstElement", first);
+    SetIfUsed(program, "fourierElementShift", shift);
+  };
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityPainter::EndSelection()
+{
+  this->Opacities.Deactivate();
 }
 
 //------------------------------------------------------------------------------

@@ -72,8 +72,12 @@ public:
   vtkTextureObject* GetColor() const { return this->Targets.Color; }
   vtkTextureObject* GetDepth() const { return this->Targets.Depth; }
 
-  /// Describe how selections of an item are drawn; returns false where nothing is known of it.
-  bool PrepareSelection(const Item& item, vtkFourierOpacityStage& stage);
+  /**
+   * Describe how a selection draws an item, by its place among those of the last picture, and make
+   * its opacities readable until EndSelection(). Returns false where the renderer had no picture.
+   */
+  bool BeginSelection(vtkRenderer* renderer, std::size_t item, vtkFourierOpacityStage& stage);
+  void EndSelection();
 
   /// Bytes on the graphics device: of all, and of the sums alone.
   vtkIdType GetNumberOfBytes() const;

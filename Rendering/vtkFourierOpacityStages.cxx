@@ -117,15 +117,20 @@ std::string vtkFourierOpacityStages::WriteSums(const Outputs& outputs) const
   const std::vector<int> components = vtkFourierOpacityTargets::GetComponents(this->Sums);
   std::string text;
   int target = 0;
-  for (int i = outputs.First; i < outputs.First + outputs.Count; ++i)
+  int sum = 0;
+  for (int i = 0; i < outputs.First + outputs.Count; ++i)
   {
-    text += "  gl_FragData[" + std::to_string(target++) + "] = fourierValue * vec4(";
-    for (int j = 0; j < 4; ++j)
+    if (i >= outputs.First)
     {
-      text += j == 0 ? "" : ", ";
-      text += j < components[i] ? "terms.value[" + std::to_string(4 * i + j) + "]" : "0.0";
+      text += "  gl_FragData[" + std::to_string(target++) + "] = fourierValue * vec4(";
+      for (int j = 0; j < 4; ++j)
+      {
+        text += j == 0 ? "" : ", ";
+        text += j < components[i] ? "terms.value[" + std::to_string(sum + j) + "]" : "0.0";
+      }
+      text += ");\n";
     }
-    text += ");\n";
+    sum += components[i];
   }
   return text;
 }
@@ -291,7 +296,7 @@ vtkFourierOpacityStage vtkFourierOpacityStages::AddColors() const
 }
 
 //------------------------------------------------------------------------------
-vtkFourierOpacityStage vtkFourierOpacityStages::Select() const
+vtkFourierOpacityStage vtkFourierOpacityStages::Select()
 {
   vtkFourierOpacityStage stage;
   stage.Kind = vtkFourierOpacityStage::Selection;

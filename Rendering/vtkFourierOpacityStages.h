@@ -45,7 +45,7 @@ struct vtkFourierOpacityStages
   vtkFourierOpacityStage DrawOpaqueLayer() const;
   vtkFourierOpacityStage SumOpticalDepth(const Outputs& outputs) const;
   vtkFourierOpacityStage AddColors() const;
-  vtkFourierOpacityStage Select() const;
+  static vtkFourierOpacityStage Select();
   vtkFourierOpacityStage ListImportance() const;
   vtkFourierOpacityStage ListColors() const;
 

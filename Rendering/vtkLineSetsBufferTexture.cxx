@@ -100,6 +100,12 @@ void vtkLineSetsBufferTexture::Download(void* data, std::size_t bytes)
 }
 
 //------------------------------------------------------------------------------
+vtkTextureObject* vtkLineSetsBufferTexture::GetTexture() const
+{
+  return this->Texture;
+}
+
+//------------------------------------------------------------------------------
 unsigned int vtkLineSetsBufferTexture::GetHandle() const
 {
   return this->Texture->GetHandle();

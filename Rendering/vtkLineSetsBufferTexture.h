@@ -49,7 +49,7 @@ public:
   void Download(void* data, std::size_t bytes);
 
   /// The texture, for others to activate.
-  vtkTextureObject* GetTexture() const { return this->Texture; }
+  vtkTextureObject* GetTexture() const;
 
   /// OpenGL's name of the texture, 0 for none; for image units, of which VTK knows nothing.
   unsigned int GetHandle() const;
