@@ -172,6 +172,24 @@ vtkIdType vtkFourierOpacityMapper::GetNumberOfSumBytes()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkFourierOpacityMapper::GetNumberOfFragments()
+{
+  return this->Internals->Painter.GetNumberOfFragments();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFourierOpacityMapper::GetNumberOfDroppedFragments()
+{
+  return this->Internals->Painter.GetNumberOfDroppedFragments();
+}
+
+//------------------------------------------------------------------------------
+double vtkFourierOpacityMapper::GetMeanDepthComplexity()
+{
+  return this->Internals->Painter.GetMeanDepthComplexity();
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkFourierOpacityMapper::GetMTime()
 {
   // Not that of the optimization: nothing that the mapper keeps depends on it.

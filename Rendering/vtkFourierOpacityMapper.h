@@ -122,6 +122,17 @@ public:
   vtkIdType GetNumberOfBytes();
   vtkIdType GetNumberOfSumBytes();
 
+  ///@{
+  /**
+   * Fragments of the last picture of the mapper by itself that was made with lists: their number,
+   * the number of those that were dropped since they did not fit (a warning tells it), and their
+   * mean number over the pixels that have any.
+   */
+  vtkIdType GetNumberOfFragments();
+  vtkIdType GetNumberOfDroppedFragments();
+  double GetMeanDepthComplexity();
+  ///@}
+
   bool HasOpaqueGeometry() override { return false; }
   bool HasTranslucentPolygonalGeometry() override { return true; }
 

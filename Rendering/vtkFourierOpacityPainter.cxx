@@ -8,10 +8,9 @@
 #include "vtkActor.h"
 #include "vtkFourierOpacityMapper.h"
 #include "vtkFourierOpacityStages.h"
+#include "vtkLineSetsQuad.h"
 #include "vtkOpacityOptimization.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkOpenGLQuadHelper.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -24,7 +23,8 @@
 namespace
 {
 // The image unit of the smallest opacities.
-constexpr unsigned int SmallestUnit = 0;
+// Fragment lists use the first ones.
+constexpr unsigned int SmallestUnit = 7;
 
 /// State that draws change; it is as before when this ends.
 class SavedState
@@ -150,13 +150,6 @@ void SetIfUsed(vtkShaderProgram* program, const char* name, int value)
 }
 
 //------------------------------------------------------------------------------
-struct vtkFourierOpacityPainter::Quad
-{
-  std::string Source;
-  std::unique_ptr<vtkOpenGLQuadHelper> Helper;
-};
-
-//------------------------------------------------------------------------------
 struct vtkFourierOpacityPainter::View
 {
   vtkWeakPointer<vtkRenderer> Renderer;
@@ -198,6 +191,7 @@ struct vtkFourierOpacityPainter::Frame
   int ReducedSize[2] = { 0, 0 };
   int MostTargets = 8;
   double Blend = 1.0;
+  bool IsListing = false;
   ActiveTextures Textures;
 };
 
@@ -277,7 +271,7 @@ std::string vtkFourierOpacityPainter::Prepare(Frame& frame)
   layout.Sums = frame.Stages.Sums;
   layout.BoundsWidth = frame.Stages.HasBounds ? frame.ReducedSize[0] : 0;
   layout.BoundsHeight = frame.Stages.HasBounds ? frame.ReducedSize[1] : 0;
-  layout.HasCounts = !frame.Stages.HasSums;
+  layout.HasCounts = !frame.Stages.HasSums && !frame.Stages.HasLists;
   layout.HasOpaqueLayer = frame.Stages.HasOpaqueLayer;
   layout.HasPicture = true;
   return this->Targets.Prepare(frame.Window, layout);
@@ -326,6 +320,10 @@ void vtkFourierOpacityPainter::DrawStage(Frame& frame, vtkFourierOpacityStage& s
   {
     this->SetCommonParameters(frame, program);
     SetIfUsed(program, "fourierFirstElement", stage.FirstElement);
+    if (frame.IsListing)
+    {
+      this->Lists.SetParameters(program);
+    }
   };
   for (std::size_t i = 0; i < frame.Items.size(); ++i)
   {
@@ -382,10 +380,9 @@ void vtkFourierOpacityPainter::SumImportance(Frame& frame)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFourierOpacityPainter::FindOpacities(Frame& frame)
+std::string vtkFourierOpacityPainter::PrepareSmallest(Frame& frame, std::vector<float>& values)
 {
-  vtkFourierOpacityElements& elements = frame.View.Elements;
-  const vtkIdType count = std::max<vtkIdType>(elements.GetNumberOfElements(), 1);
+  const vtkIdType count = std::max<vtkIdType>(frame.View.Elements.GetNumberOfElements(), 1);
   // Where the device takes fewer places than there are elements, neighbours share one.
   int most = 0;
   frame.State->vtkglGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
@@ -394,33 +391,52 @@ std::string vtkFourierOpacityPainter::FindOpacities(Frame& frame)
   {
     ++this->Shift;
   }
-  std::vector<float> values(static_cast<std::size_t>(((count - 1) >> this->Shift) + 1),
+  values.assign(static_cast<std::size_t>(((count - 1) >> this->Shift) + 1),
     vtkFourierOpacityElements::NotSeen);
   // Floats that are not negative are in the order of their bits.
-  std::string error = this->UploadElements(frame, values, this->Smallest, GL_R32UI);
+  return this->UploadElements(frame, values, this->Smallest, GL_R32UI);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityPainter::FindOpacities(Frame& frame)
+{
+  std::vector<float> values;
+  std::string error = this->PrepareSmallest(frame, values);
   if (!error.empty())
   {
     return error;
   }
-  frame.State->vtkglViewport(0, 0, frame.ReducedSize[0], frame.ReducedSize[1]);
-  frame.State->vtkglDisable(GL_DEPTH_TEST);
-  frame.State->vtkglDisable(GL_BLEND);
-  frame.State->vtkglDepthMask(GL_FALSE);
-  frame.State->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  this->Targets.Bind({ this->Targets.Colors }, nullptr);
-  this->AddSumTextures(frame);
+  glBindImageTexture(
+    SmallestUnit, this->Smallest.GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
   frame.Textures.Add("fourierScene", frame.Scene);
-  glBindImageTexture(SmallestUnit, this->Smallest.GetHandle(), 0, GL_FALSE, 0,
-    GL_READ_WRITE, GL_R32UI);
-  vtkFourierOpacityStage stage = frame.Stages.FindOpacities();
-  this->DrawStage(frame, stage);
+  if (frame.Stages.Exact)
+  {
+    vtkFourierOpacityStage stage = frame.Stages.ListImportance();
+    error = this->DrawLists(frame, stage, frame.ReducedSize, this->Targets.Colors,
+      frame.Stages.ResolveImportance());
+  }
+  else
+  {
+    frame.State->vtkglViewport(0, 0, frame.ReducedSize[0], frame.ReducedSize[1]);
+    frame.State->vtkglDisable(GL_DEPTH_TEST);
+    frame.State->vtkglDisable(GL_BLEND);
+    frame.State->vtkglDepthMask(GL_FALSE);
+    frame.State->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    this->Targets.Bind({ this->Targets.Colors }, nullptr);
+    this->AddSumTextures(frame);
+    vtkFourierOpacityStage stage = frame.Stages.FindOpacities();
+    this->DrawStage(frame, stage);
+    frame.State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
+  frame.Textures.Clear();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glBindImageTexture(SmallestUnit, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
-  frame.Textures.Clear();
-  frame.State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-
+  if (!error.empty())
+  {
+    return error;
+  }
   this->Smallest.Download(values.data(), values.size() * sizeof(float));
-  elements.Update(
+  frame.View.Elements.Update(
     values, this->Shift, frame.Optimization->GetSmoothingIterations(), frame.Blend);
   return this->UploadOpacities(frame, values);
 }
@@ -468,20 +484,17 @@ void vtkFourierOpacityPainter::DrawOpaqueLayer(Frame& frame)
 }
 
 //------------------------------------------------------------------------------
-void vtkFourierOpacityPainter::Widen(Frame& frame)
+std::string vtkFourierOpacityPainter::Widen(Frame& frame)
 {
-  if (!this->WidenQuad)
-  {
-    this->WidenQuad = std::make_unique<Quad>();
-  }
   frame.State->vtkglViewport(0, 0, frame.ReducedSize[0], frame.ReducedSize[1]);
   frame.State->vtkglDisable(GL_DEPTH_TEST);
   frame.State->vtkglDisable(GL_BLEND);
   this->Targets.Bind({ this->Targets.Widened }, nullptr);
   frame.Textures.Add("fourierBounds", this->Targets.Bounds);
   frame.Textures.Add("fourierScene", frame.Scene);
-  this->DrawQuad(frame, *this->WidenQuad, frame.Stages.Widen());
+  std::string error = this->DrawQuad(frame, frame.Stages.Widen());
   frame.Textures.Clear();
+  return error;
 }
 
 //------------------------------------------------------------------------------
@@ -531,41 +544,80 @@ void vtkFourierOpacityPainter::AddColors(Frame& frame)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFourierOpacityPainter::DrawQuad(
-  Frame& frame, Quad& quad, const std::string& source)
+std::string vtkFourierOpacityPainter::ListColors(Frame& frame)
 {
-  if (quad.Source != source)
-  {
-    quad.Helper.reset();
-    quad.Source = source;
-  }
-  if (!quad.Helper)
-  {
-    quad.Helper =
-      std::make_unique<vtkOpenGLQuadHelper>(frame.Window, nullptr, source.c_str(), "");
-  }
-  else
-  {
-    frame.Window->GetShaderCache()->ReadyShaderProgram(quad.Helper->Program);
-  }
-  if (!quad.Helper->Program || !quad.Helper->Program->GetCompiled())
+  frame.Textures.Add("fourierOpacities", this->Opacities.GetTexture());
+  frame.Textures.Add("fragmentListOpaqueDepth", frame.Scene);
+  vtkFourierOpacityStage stage = frame.Stages.ListColors();
+  std::string error = this->DrawLists(
+    frame, stage, frame.Now.Size, this->Targets.Colors, frame.Stages.ResolveColors());
+  frame.Textures.Clear();
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityPainter::DrawQuad(Frame& frame, const std::string& source)
+{
+  vtkShaderProgram* program = vtkLineSetsQuad::ReadyProgram(frame.Window, source);
+  if (!program)
   {
     return "A shader of opacity optimization does not compile.";
   }
-  this->SetCommonParameters(frame, quad.Helper->Program);
-  vtkOpenGLState::ScopedglEnableDisable cull(frame.State, GL_CULL_FACE);
-  frame.State->vtkglDisable(GL_CULL_FACE);
-  quad.Helper->Render();
-  return {};
+  this->SetCommonParameters(frame, program);
+  return vtkLineSetsQuad::Draw(frame.Window, program);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityPainter::DrawLists(Frame& frame, vtkFourierOpacityStage& stage,
+  const int size[2], vtkTextureObject* target, const std::string& resolve)
+{
+  this->Lists.SetMaximumNumberOfBytes(
+    static_cast<std::size_t>(frame.Optimization->GetMaximumListMemory()) << 20);
+  frame.State->vtkglViewport(0, 0, size[0], size[1]);
+  frame.State->vtkglDisable(GL_DEPTH_TEST);
+  frame.State->vtkglDisable(GL_BLEND);
+  frame.State->vtkglDepthMask(GL_FALSE);
+  this->Targets.Bind({ target }, nullptr);
+  frame.State->vtkglClear(GL_COLOR_BUFFER_BIT);
+  std::string error = this->Lists.Begin(frame.Window, size[0], size[1]);
+  if (!error.empty())
+  {
+    return error;
+  }
+  frame.IsListing = true;
+  frame.State->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  this->DrawStage(frame, stage);
+  error = this->Lists.FinishCounting();
+  for (int i = 0; error.empty() && i < this->Lists.GetNumberOfStrips(); ++i)
+  {
+    this->Lists.BeginStrip(i);
+    this->DrawStage(frame, stage);
+    error = this->Lists.SortStrip();
+    vtkShaderProgram* program =
+      error.empty() ? vtkLineSetsQuad::ReadyProgram(frame.Window, resolve) : nullptr;
+    if (program)
+    {
+      frame.State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+      this->SetCommonParameters(frame, program);
+      this->Lists.SetReadParameters(program);
+      error = vtkLineSetsQuad::Draw(frame.Window, program);
+      frame.State->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    }
+    else if (error.empty())
+    {
+      error = "A shader of fragment lists does not compile.";
+    }
+  }
+  frame.IsListing = false;
+  frame.State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  this->Lists.End();
+  this->NumberOfDroppedFragments += this->Lists.GetNumberOfDroppedFragments();
+  return error;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkFourierOpacityPainter::Finish(Frame& frame)
 {
-  if (!this->FinalQuad)
-  {
-    this->FinalQuad = std::make_unique<Quad>();
-  }
   frame.State->vtkglDisable(GL_DEPTH_TEST);
   frame.State->vtkglDisable(GL_BLEND);
   this->Targets.Bind({ this->Targets.Color, this->Targets.Depth }, nullptr);
@@ -580,7 +632,7 @@ std::string vtkFourierOpacityPainter::Finish(Frame& frame)
   {
     frame.Textures.Add("fourierBounds", this->Targets.Widened);
   }
-  std::string error = this->DrawQuad(frame, *this->FinalQuad, frame.Stages.Finish());
+  std::string error = this->DrawQuad(frame, frame.Stages.Finish());
   frame.Textures.Clear();
   return error;
 }
@@ -640,23 +692,27 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
   frame.State->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   frame.State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 
+  this->NumberOfDroppedFragments = 0;
   this->SumImportance(frame);
   error = this->FindOpacities(frame);
-  if (!error.empty())
-  {
-    return error;
-  }
-  if (frame.Stages.HasOpaqueLayer)
+  if (error.empty() && frame.Stages.HasOpaqueLayer)
   {
     this->DrawOpaqueLayer(frame);
   }
-  if (frame.Stages.HasBounds)
+  if (error.empty() && frame.Stages.HasBounds)
   {
-    this->Widen(frame);
+    error = this->Widen(frame);
   }
-  this->SumOpticalDepth(frame);
-  this->AddColors(frame);
-  return this->Finish(frame);
+  if (error.empty() && optimization->GetBlending() == vtkOpacityOptimization::FragmentLists)
+  {
+    error = this->ListColors(frame);
+  }
+  else if (error.empty())
+  {
+    this->SumOpticalDepth(frame);
+    this->AddColors(frame);
+  }
+  return error.empty() ? this->Finish(frame) : error;
 }
 
 //------------------------------------------------------------------------------
@@ -709,7 +765,6 @@ void vtkFourierOpacityPainter::ReleaseGraphicsResources(vtkWindow* window)
   this->SceneDepth.ReleaseGraphicsResources(window);
   this->Smallest.Release(window);
   this->Opacities.Release(window);
-  this->WidenQuad.reset();
-  this->FinalQuad.reset();
+  this->Lists.ReleaseGraphicsResources(window);
   this->Window = nullptr;
 }

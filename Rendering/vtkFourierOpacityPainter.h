@@ -26,6 +26,7 @@
 #include "vtkFourierOpacityStage.h"
 #include "vtkFourierOpacityTargets.h"
 #include "vtkFourierOpacityView.h"
+#include "vtkFragmentLists.h"
 #include "vtkLineSetsBufferTexture.h"
 #include "vtkLineSetsSceneDepth.h"
 
@@ -41,7 +42,6 @@
 class vtkActor;
 class vtkFourierOpacityMapper;
 class vtkOpacityOptimization;
-class vtkOpenGLQuadHelper;
 class vtkRenderer;
 class vtkShaderProgram;
 class vtkTextureObject;
@@ -83,6 +83,12 @@ public:
   vtkIdType GetNumberOfBytes() const;
   vtkIdType GetNumberOfSumBytes() const { return this->Targets.GetNumberOfSumBytes(); }
 
+  /// Fragments of the last picture that was made with lists: all of them, those that were dropped for
+  /// want of memory, and the mean over the pixels that have any.
+  vtkIdType GetNumberOfFragments() const { return this->Lists.GetNumberOfFragments(); }
+  vtkIdType GetNumberOfDroppedFragments() const { return this->NumberOfDroppedFragments; }
+  double GetMeanDepthComplexity() const { return this->Lists.GetMeanNumberPerPixel(); }
+
   /// Opacities of the elements of the last picture.
   const std::vector<float>& GetOpacities() const;
 
@@ -93,7 +99,6 @@ private:
   void operator=(const vtkFourierOpacityPainter&) = delete;
 
   struct Frame;
-  struct Quad;
   struct View;
 
   View& GetView(vtkRenderer* renderer);
@@ -105,25 +110,29 @@ private:
   void SetCommonParameters(const Frame& frame, vtkShaderProgram* program);
   void AddSumTextures(Frame& frame);
   void SumImportance(Frame& frame);
+  std::string PrepareSmallest(Frame& frame, std::vector<float>& values);
   std::string FindOpacities(Frame& frame);
   std::string UploadOpacities(Frame& frame, std::vector<float>& values);
-  void Widen(Frame& frame);
+  std::string Widen(Frame& frame);
   void DrawOpaqueLayer(Frame& frame);
   void SumOpticalDepth(Frame& frame);
   void AddColors(Frame& frame);
+  std::string ListColors(Frame& frame);
   std::string Finish(Frame& frame);
-  std::string DrawQuad(Frame& frame, Quad& quad, const std::string& source);
+  std::string DrawQuad(Frame& frame, const std::string& source);
+  std::string DrawLists(Frame& frame, vtkFourierOpacityStage& stage, const int size[2],
+    vtkTextureObject* target, const std::string& resolve);
 
   vtkFourierOpacityTargets Targets;
   vtkLineSetsSceneDepth SceneDepth;
+  vtkFragmentLists Lists;
   vtkLineSetsBufferTexture Smallest;
   vtkLineSetsBufferTexture Opacities;
-  std::unique_ptr<Quad> WidenQuad;
-  std::unique_ptr<Quad> FinalQuad;
   std::list<std::unique_ptr<View>> Views;
   View* LastView = nullptr;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   int Shift = 0;
+  vtkIdType NumberOfDroppedFragments = 0;
 };
 
 #endif

@@ -3,10 +3,14 @@
 #include "vtkFourierOpacityStages.h"
 
 #include "vtkFourierOpacityTargets.h"
+#include "vtkFragmentLists.h"
 #include "vtkOpacityOptimization.h"
+#include "vtkShaderProgram.h"
 
 #include "vtkFourierOpacity.h"
 #include "vtkFourierOpacityDepth.h"
+#include "vtkFragmentListPassResolve.h"
+#include "vtkFragmentListPassStore.h"
 
 #include <vector>
 
@@ -62,6 +66,7 @@ vtkFourierOpacityStages::vtkFourierOpacityStages(
       break;
     default:
       this->HasSums = false;
+      this->HasLists = this->Blending == vtkOpacityOptimization::FragmentLists;
       break;
   }
 }
@@ -381,4 +386,86 @@ std::string vtkFourierOpacityStages::Finish() const
           "    texelFetch(fourierBounds, pixel / fourierReduction, 0).r), 0.0, 0.0, 0.0);\n"
         : "  gl_FragData[1] = vec4(fourierBufferDepth(0.0), 0.0, 0.0, 0.0);\n") +
     "}\n";
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityStage vtkFourierOpacityStages::ListImportance() const
+{
+  vtkFourierOpacityStage stage;
+  stage.Kind = vtkFourierOpacityStage::ImportanceList;
+  stage.NeedsImportance = true;
+  stage.NeedsElement = true;
+  stage.Extensions = vtkFragmentLists::GetExtensionSource();
+  stage.Declarations = this->GetDeclarations(false) + vtkFragmentLists::GetStoreSource();
+  stage.Code = std::string(DiscardHidden) +
+    "  storeFragment(fourierPixel, gl_FragCoord.z,\n"
+    "    uvec3(floatBitsToUint(clamp(fourierImportanceVSOutput, 0.0, 1.0)),\n"
+    "    uint(fourierElementVSOutput), 0u));\n"
+    "  gl_FragData[0] = vec4(fourierD);\n"
+    "  return;\n";
+  return stage;
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityStage vtkFourierOpacityStages::ListColors() const
+{
+  vtkFourierOpacityStage stage;
+  stage.Kind = vtkFourierOpacityStage::ColorList;
+  stage.NeedsOpacity = true;
+  stage.Extensions = vtkFragmentLists::GetExtensionSource();
+  stage.Declarations = vtkFragmentLists::GetStoreSource() + vtkFragmentListPassStore;
+  stage.Code = "  storeFragmentColor(ivec2(gl_FragCoord.xy), gl_FragCoord.z,\n"
+               "    vec4(gl_FragData[0].rgb, fourierOpacityVSOutput * %OPACITY));\n";
+  return stage;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityStages::ResolveImportance() const
+{
+  std::string source = "//VTK::System::Dec\n"
+                       "//VTK::Output::Dec\n" +
+    this->GetDeclarations(false) + vtkFragmentLists::GetReadSource() +
+    "layout(r32ui) uniform uimageBuffer fourierSmallest;\n"
+    "void main()\n"
+    "{\n"
+    "  int count = findFragments(ivec2(gl_FragCoord.xy));\n"
+    "  float total = 0.0;\n"
+    "  int i = 0;\n"
+    "  for (; i < count; ++i)\n"
+    "  {\n"
+    "    float g = uintBitsToFloat(getFragment(i).y);\n"
+    "    total += g * g;\n"
+    "  }\n"
+    "  float front = 0.0;\n"
+    "  int j = 0;\n"
+    "  for (; j < count; ++j)\n"
+    "  {\n"
+    "    uvec4 fragment = getFragment(j);\n"
+    "    float g = uintBitsToFloat(fragment.y);\n"
+    "    float opacity = optimalOpacity(g, front, max(total - front - g * g, 0.0),\n"
+    "      fourierWeights);\n"
+    "    front += g * g;\n"
+    "    if (int(fragment.z) >= 0)\n"
+    "    {\n"
+    "      imageAtomicMin(fourierSmallest, int(fragment.z), floatBitsToUint(opacity));\n"
+    "    }\n"
+    "  }\n"
+    "  if (count - min(i, j) > 0)\n"
+    "  {\n"
+    "    dropFragments(count - min(i, j));\n"
+    "  }\n"
+    "  gl_FragData[0] = vec4(0.0);\n"
+    "}\n";
+  vtkFragmentLists::InsertExtensions(source);
+  return source;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityStages::ResolveColors() const
+{
+  std::string source = vtkFragmentListPassResolve;
+  vtkShaderProgram::Substitute(
+    source, "//LineSets::FragmentLists::Dec", vtkFragmentLists::GetReadSource());
+  vtkFragmentLists::InsertExtensions(source);
+  return source;
 }

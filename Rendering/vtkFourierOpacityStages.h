@@ -26,6 +26,7 @@ struct vtkFourierOpacityStages
   int Subset = 1;
   bool Exact = false;  ///< importance is summed exactly
   bool HasSums = true; ///< colours are blended by sums of optical depth
+  bool HasLists = false; ///< colours are blended by fragment lists
   bool HasBounds = false;
   bool HasOpaqueLayer = false;
   bool IsLogarithmic = false;
