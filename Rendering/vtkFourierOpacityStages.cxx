@@ -56,7 +56,11 @@ vtkFourierOpacityStages::vtkFourierOpacityStages(
     case vtkOpacityOptimization::Fourier:
       this->HasBounds = optimization->GetTightDepth();
       this->HasOpaqueLayer = optimization->GetOpaqueThreshold() <= 0.9999;
-      this->OpaqueThreshold = static_cast<float>(optimization->GetOpaqueThreshold());
+      // Without that layer nothing is left to it.
+      if (this->HasOpaqueLayer)
+      {
+        this->OpaqueThreshold = static_cast<float>(optimization->GetOpaqueThreshold());
+      }
       break;
     case vtkOpacityOptimization::PaperFourier:
       this->Series = 1;
