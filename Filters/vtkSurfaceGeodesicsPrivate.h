@@ -12,7 +12,7 @@
  * no treatment of their own. On convex pieces of a plane the distances are exact, up to rounding.
  * On curved surfaces, a source's distances are taken to be those of a plane in each triangle, which
  * errs by the curvature: on a unit sphere of 1250, 5000 and 20 000 vertices, distances differ from
- * great circles by at most 0.8, 0.45 and 0.2 %, one third of which is the polyhedron's own.
+ * great circles by at most 0.8, 0.45 and 0.2 %, mostly towards less.
  */
 
 #ifndef vtkSurfaceGeodesicsPrivate_h
