@@ -32,12 +32,29 @@ bool IsNearer(double distance, double other)
   return distance < other * (1.0 - Tolerance);
 }
 
+/// The mean length of the edges.
+double FindMeanEdge(const Mesh& mesh)
+{
+  double sum = 0.0;
+  double count = 0.0;
+  for (int vertex = 0; vertex < mesh.GetNumberOfVertices(); ++vertex)
+  {
+    for (const auto* corner = mesh.Begin(vertex); corner != mesh.End(vertex); ++corner)
+    {
+      sum += corner->Lengths[0];
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
 /// The distance of each vertex to the nearest of the seeds so far.
 class NearestDistances
 {
 public:
   explicit NearestDistances(const Mesh& mesh)
     : Surface(mesh)
+    , Margin(2.0 * FindMeanEdge(mesh))
     , Nearest(mesh.Pieces.size(), Infinity)
     , Tentative(mesh.Pieces.size(), 0.0)
     , Round(mesh.Pieces.size(), 0)
@@ -57,14 +74,16 @@ public:
       const int vertex = this->Waiting.top().second;
       this->Waiting.pop();
       double& nearest = this->Nearest[Index(vertex)];
-      // Either the vertex became nearer since, or another seed is: its distance served its
-      // neighbours, but does not spread.
-      if (distance > this->Tentative[Index(vertex)] || !(distance < nearest))
+      // The vertex became nearer since.
+      if (distance > this->Tentative[Index(vertex)])
       {
         continue;
       }
-      nearest = distance;
-      this->IsStale[Index(vertex) / BlockSize] = true;
+      if (distance < nearest)
+      {
+        nearest = distance;
+        this->IsStale[Index(vertex) / BlockSize] = true;
+      }
       this->Spread(vertex, distance);
     }
   }
@@ -138,7 +157,7 @@ private:
     }
     this->Round[Index(vertex)] = this->CurrentRound;
     this->Tentative[Index(vertex)] = distance;
-    if (distance < this->Nearest[Index(vertex)])
+    if (distance < this->Nearest[Index(vertex)] + this->Margin)
     {
       this->Waiting.emplace(distance, vertex);
     }
@@ -152,6 +171,10 @@ private:
   }
 
   const Mesh& Surface;
+  /// A seed spreads a little beyond its patch, so that distances inside are found through triangles
+  /// of which all corners have theirs: about one more ring of vertices, across which the distances
+  /// to two seeds differ by two edges more.
+  const double Margin;
   std::vector<double> Nearest;
   /// Distances of the newest seed; valid where the round is the current one.
   std::vector<double> Tentative;
@@ -248,7 +271,7 @@ private:
       }
       this->Spread(vertex, seed, distance);
       ++this->Count;
-      if (this->Count % 65536 == 0 &&
+      if (this->Count % 16384 == 0 &&
         !goesOn(std::min(1.0, static_cast<double>(this->Count) / total)))
       {
         return false;
@@ -313,20 +336,9 @@ private:
 /// a grid of its mean edge length, but an edge at least.
 double FindStep(const Mesh& mesh, std::size_t numberOfSeeds)
 {
-  double sum = 0.0;
-  double count = 0.0;
-  for (int vertex = 0; vertex < mesh.GetNumberOfVertices(); ++vertex)
-  {
-    for (const auto* corner = mesh.Begin(vertex); corner != mesh.End(vertex); ++corner)
-    {
-      sum += corner->Lengths[0];
-      count += 1.0;
-    }
-  }
-  const double edge = count > 0.0 ? sum / count : 0.0;
   const double verticesPerSeed = static_cast<double>(mesh.Pieces.size()) /
     static_cast<double>(std::max<std::size_t>(numberOfSeeds, 1));
-  return edge * std::max(1.0, 0.25 * std::sqrt(verticesPerSeed));
+  return FindMeanEdge(mesh) * std::max(1.0, 0.25 * std::sqrt(verticesPerSeed));
 }
 
 }

@@ -233,7 +233,7 @@ void TestAbort(Checks& check)
     segments.Filter->SetAbortExecute(0);
     segments.Filter->Modified();
     segments.Update(data);
-    check(stopper->Looks <= looks && stopper->Last < stop + 0.16 &&
+    check(stopper->Looks <= looks && stopper->Last < stop + 0.06 &&
         segments.Output->GetNumberOfPoints() == 0 && segments.Filter->GetNumberOfSegments() == 0,
       "stopped at " + std::to_string(stop) + ": an empty output");
   }
