@@ -56,6 +56,7 @@ public:
     , Scissor(state)
     , ScissorTest(state, GL_SCISSOR_TEST)
     , Blend(state, GL_BLEND)
+    , Cull(state, GL_CULL_FACE)
     , Multisample(state, GL_MULTISAMPLE)
   {
     state->PushDrawFramebufferBinding();
@@ -83,6 +84,7 @@ private:
   vtkOpenGLState::ScopedglScissor Scissor;
   vtkOpenGLState::ScopedglEnableDisable ScissorTest;
   vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable Cull;
   vtkOpenGLState::ScopedglEnableDisable Multisample;
 };
 }

@@ -36,9 +36,10 @@
  *
  * <b>What may be missing.</b> The pass needs OpenGL 4.2, or 3.3 with
  * GL_ARB_shader_image_load_store. Where that is missing, or there is no memory, an error says so
- * once, and the delegate draws alone, blending in the order of the props. A hardware selector also
- * gets what the delegate draws. A pixel row whose fragments do not fit into MaximumNumberOfBytes
- * loses some: NumberOfDroppedFragments tells how many, and a warning whenever the number changes.
+ * once, and the delegate draws alone, blending in the order of the props; so it does for a hardware
+ * selector (which VTK heeds only in renderers without a pass). A pixel row whose fragments do not
+ * fit into MaximumNumberOfBytes loses some: NumberOfDroppedFragments tells how many, and a warning
+ * whenever the number changes.
  *
  * @sa vtkDualDepthPeelingPass vtkOrderIndependentTranslucentPass vtkRenderStepsPass
  */

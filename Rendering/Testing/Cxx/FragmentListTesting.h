@@ -151,8 +151,8 @@ struct ListStage : Stage
 /// The squares from front to back over a colour, in double precision and units of a byte.
 inline Point Blend(std::vector<Square> squares, const std::array<int, 3>& background)
 {
-  std::stable_sort(squares.begin(), squares.end(),
-    [](const Square& a, const Square& b) { return a.Z < b.Z; });
+  std::stable_sort(
+    squares.begin(), squares.end(), [](const Square& a, const Square& b) { return a.Z < b.Z; });
   Point color{ static_cast<double>(background[0]), static_cast<double>(background[1]),
     static_cast<double>(background[2]) };
   for (const Square& square : squares)

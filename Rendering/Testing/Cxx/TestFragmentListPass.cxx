@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Guards that vtkFragmentListPass blends any number of layers as double precision does, that no
-// order of cells changes a bit, that strips change nothing, and that what a limit of memory costs is
-// counted and told.
+// order of cells changes a bit, that strips change nothing, and that what a limit of memory costs
+// is counted and told.
 
 #include "FragmentListTesting.h"
 
@@ -101,7 +101,8 @@ void CheckOrder(Checks& check)
     {
       first = picture;
     }
-    check(picture.Bytes == first.Bytes, "order " + std::to_string(seed) + " gives the same picture");
+    check(
+      picture.Bytes == first.Bytes, "order " + std::to_string(seed) + " gives the same picture");
   }
 }
 
@@ -168,8 +169,8 @@ void CheckOpaque(Checks& check)
       const std::string name =
         "opaque at " + std::to_string(z) + " with samples " + std::to_string(samples);
       CheckMiddle(check, name, stage, visible, { 10, 200, 30 });
-      CheckStatistics(check, name, stage.Pass, static_cast<vtkIdType>(visible.size()),
-        visible.empty() ? 0 : 900);
+      CheckStatistics(
+        check, name, stage.Pass, static_cast<vtkIdType>(visible.size()), visible.empty() ? 0 : 900);
     }
   }
   // In the plane of the opaque square: seen, as the depth test of OpenGL has it.
