@@ -332,7 +332,7 @@ void CheckImportanceOfData(Checker& checker)
   vectors->SetName("vectors");
   vectors->SetNumberOfComponents(3);
   vectors->SetNumberOfTuples(3);
-  vectors->Fill(std::nan(""));
+  vectors->Fill(0.5);
   data->GetPointData()->AddArray(vectors);
   vtkNew<vtkDoubleArray> gaps;
   gaps->SetName("gaps");
