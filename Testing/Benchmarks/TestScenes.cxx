@@ -24,6 +24,8 @@
 #include "vtkSMPTools.h"
 #include "vtkTriangle.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 using namespace linesets;
@@ -76,7 +78,11 @@ void CheckPointData(
   {
     return;
   }
-  vtkIdType important = 0;
+  // Of lines by length, of others by points.
+  const bool isLines = data->GetNumberOfLines() > 0;
+  double important = 0.0;
+  double all = 0.0;
+  double before[3] = { 0.0, 0.0, 0.0 };
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     double point[3];
@@ -86,9 +92,15 @@ void CheckPointData(
       name + ": finite points");
     const double value = importance->GetComponent(i, 0);
     checker.Check(value >= 0.0 && value <= 1.0, name + ": range of importance");
-    important += value > 0.5 ? 1 : 0;
+    const bool begins = isLines && i % options.Vertices == 0;
+    const double weight = !isLines ? 1.0
+      : begins                     ? 0.0
+                                   : std::sqrt(vtkMath::Distance2BetweenPoints(point, before));
+    std::copy_n(point, 3, before);
+    important += value > 0.5 ? weight : 0.0;
+    all += weight;
   }
-  const double share = static_cast<double>(important) / data->GetNumberOfPoints();
+  const double share = important / all;
   checker.Check(share > 0.03 && share < 0.25, name + ": important are " + std::to_string(share));
   const std::uint64_t hash = GetHash(data);
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "Sequential", false },
