@@ -308,6 +308,37 @@ void CheckSurfaces(Checker& checker)
     [](vtkIdType id, const double*) { return -static_cast<double>(id); }); // from within outward
 }
 
+// A line of length 9 whose quantity rises from 0 to 1, and one of length 1 from 1 to 2: by length,
+// the quantile 0.76 is at 0.84 of the first and the quantile 0.98 at 0.8 of the second.
+void CheckQuantiles(Checker& checker)
+{
+  constexpr int vertices = 101;
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 2 * vertices; ++i)
+  {
+    const double along = (i % vertices) / 100.0;
+    points->InsertNextPoint(i < vertices ? 9.0 * along : along, i < vertices ? 0.0 : 1.0, 0.0);
+  }
+  data->SetPoints(points);
+  const Quantity rising = [](vtkIdType id, const double*)
+  { return (id % vertices) / 100.0 + (id < vertices ? 0.0 : 1.0); };
+  AddImportance(data, rising, vertices);
+  vtkDataArray* importance = data->GetPointData()->GetArray("importance");
+  const auto get = [&importance](vtkIdType id) { return importance->GetComponent(id, 0); };
+  checker.Check(get(83) == 0.0 && get(86) > 0.0 && get(100) > get(86), "low quantile of length");
+  checker.Check(get(vertices + 78) < 1.0 && get(vertices + 82) == 1.0, "high quantile of length");
+  // An alternating part goes with smoothing, but at the ends of a line.
+  const Quantity alternating = [&rising](vtkIdType id, const double* point)
+  { return rising(id, point) + (id % 2 == 0 ? 0.3 : -0.3); };
+  AddImportance(data, alternating, vertices, 16);
+  importance = data->GetPointData()->GetArray("importance");
+  for (int i = 20; i + 20 < vertices; ++i)
+  {
+    checker.Check(get(vertices + i) >= get(vertices + i - 1), "smoothing");
+  }
+}
+
 void CheckImportanceOfData(Checker& checker)
 {
   vtkNew<vtkPolyData> data;
@@ -432,6 +463,7 @@ int TestScenes(int argc, char* argv[])
     "default counts");
   CheckPoints(checker);
   CheckSurfaces(checker);
+  CheckQuantiles(checker);
   CheckImportanceOfData(checker);
   CheckDivergence(checker);
   bool thrown = false;
