@@ -116,12 +116,12 @@ SCENE or --scene SCENE   )"
                          and in a slow swirl about the vertical axis, the same in each run. New
                          points, cells and arrays are made outside the times, and go through
                          each method's pipeline as lines that were never seen before: models and
-                         tubes are made again, lines are uploaded
+                         tubes are made again, lines are uploaded. Needs lines
 --threads N              of vtkSMPTools and of software OpenGL (default: all)
 --reference              also compare each picture of the first view with an exact one: keys rmse,
                          ssim. It has one ray per pixel, so that tubes thinner than a pixel, which
                          voxel draws by what they cover, differ from it. It has neither shadows
-                         nor occlusion, so methods that have are not compared
+                         nor occlusion, so methods that have are not compared. Needs lines
 --reference-decoded      for voxel, also with an exact picture of the model: key rmse_decoded
 --occlusion-reference    for voxel-occlusion and voxel-full, also compare the occlusion of voxels with
                          brute force, and time it: keys densities_ms to bias_occlusion_seen
