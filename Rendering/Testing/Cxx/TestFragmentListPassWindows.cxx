@@ -91,7 +91,11 @@ public:
     glBindTexture(GL_TEXTURE_2D, 0);
     glBindImageTexture(1, texture, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32F);
     const std::vector<int> before = GetGLState();
+    while (glGetError() != GL_NO_ERROR)
+    {
+    }
     this->Delegate->Render(s);
+    this->Error = glGetError();
     const std::vector<int> after = GetGLState();
     this->IsSame = before == after && before.size() > 50;
     for (std::size_t i = 0; i < before.size(); ++i)
@@ -107,6 +111,7 @@ public:
 
   vtkSmartPointer<vtkRenderPass> Delegate;
   bool HasScissor = true;
+  GLenum Error = GL_NO_ERROR;
   bool IsSame = false;
 };
 vtkStandardNewMacro(StatePass);
@@ -126,6 +131,7 @@ void CheckState(Checks& check)
     steps->SetTranslucentPass(state);
     vtkOpenGLRenderer::SafeDownCast(stage.Renderer)->SetPass(steps);
     const Picture picture = stage.Render();
+    check(state->Error == GL_NO_ERROR, "error of OpenGL " + std::to_string(state->Error));
     check(state->IsSame, "the state of OpenGL is the same after the pass");
     // The scissor and the mask of the caller have had their effect.
     const Point expected = Blend(squares, Background);
