@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Sorts the fragments of a pixel where they lie, after vtkFragmentListsRead; see vtkFragmentLists. It
-// is heap sort, whose steps may be done in several draws: their number is known, and so is what each
-// may take. Insertion sort of short lists is no gain, since neighbouring pixels, which are worked on
-// together, have lists of all lengths.
+// Sorts the fragments of a pixel where they lie, after vtkFragmentListsRead; see vtkFragmentLists.
+// It is heap sort, whose steps may be done in several draws: their number is known, and so is what
+// each may take. Insertion sort of short lists is no gain, since neighbouring pixels, which are
+// worked on together, have lists of all lengths.
 
 // The steps to do: first, end.
 uniform ivec2 fragmentListSteps;
