@@ -397,8 +397,8 @@ void vtkFragmentListPass::UpdateStatistics()
     this->NumberOfDroppedFragments != this->Internals->LastDropped)
   {
     vtkWarningMacro("" << this->NumberOfDroppedFragments << " of " << this->NumberOfFragments
-                       << " translucent fragments are missing in the picture: those of a pixel "
-                          "row do not fit into the MaximumNumberOfBytes of "
+                       << " translucent fragments are missing in the picture. A pixel row must fit "
+                          "into MaximumNumberOfBytes, 16 per fragment, which is "
                        << this->MaximumNumberOfBytes << ".");
   }
   this->Internals->LastDropped = this->NumberOfDroppedFragments;

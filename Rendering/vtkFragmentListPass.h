@@ -94,9 +94,9 @@ public:
   ///@}
 
   /**
-   * Number of fragments of the last picture that are missing in it, since those of their pixel row
-   * did not fit into MaximumNumberOfBytes, or since a prop drew more of them for storing than for
-   * counting.
+   * Number of fragments of the last picture that are missing in it: those of their pixel row did
+   * not fit into MaximumNumberOfBytes, or a prop drew more of them for storing than for counting,
+   * or software OpenGL (Mesa's llvmpipe) ended blending after 65535 fragments of a pixel.
    */
   vtkGetMacro(NumberOfDroppedFragments, vtkIdType);
 

@@ -176,6 +176,42 @@ inline bool IsExact(const std::array<int, 3>& color, const Point& expected, doub
   }
   return isExact;
 }
+
+/// A byte is rounded once; what comes before has an error far below that.
+constexpr double Tolerance = 1.0;
+
+inline std::string Describe(const Point& color)
+{
+  std::ostringstream text;
+  text << " (" << color[0] << " " << color[1] << " " << color[2] << ")";
+  return text.str();
+}
+
+inline void CheckMiddle(Checks& check, const std::string& name, ListStage& stage,
+  const std::vector<Square>& squares, const std::array<int, 3>& background = Background)
+{
+  const Picture picture = stage.Render();
+  const Point expected = Blend(squares, background);
+  for (int x : { 20, 30, 40 })
+  {
+    const auto color = picture.At(x, 30);
+    check(IsExact(color, expected, Tolerance),
+      name + ": " + VoxelLineMapperTesting::Describe(color) + " instead of" + Describe(expected));
+  }
+  check(picture.At(4, 4) == Background, name + ": beside the squares");
+}
+
+inline void CheckStatistics(Checks& check, const std::string& name, vtkFragmentListPass* pass,
+  vtkIdType layers, vtkIdType pixels)
+{
+  check(pass->GetNumberOfFragments() == layers * pixels,
+    name + ": number of fragments " + std::to_string(pass->GetNumberOfFragments()));
+  check(pass->GetLargestDepthComplexity() == (pixels > 0 ? layers : 0),
+    name + ": largest depth complexity " + std::to_string(pass->GetLargestDepthComplexity()));
+  check(pass->GetMeanDepthComplexity() == static_cast<double>(pixels > 0 ? layers : 0),
+    name + ": mean depth complexity " + std::to_string(pass->GetMeanDepthComplexity()));
+  check(pass->GetNumberOfDroppedFragments() == 0, name + ": nothing is dropped");
+}
 }
 
 #endif
