@@ -468,6 +468,10 @@ std::string vtkFourierOpacityPainter::FindOpacities(Frame& frame)
   else
   {
     frame.State->vtkglViewport(0, 0, frame.ReducedSize[0], frame.ReducedSize[1]);
+    // Wide lines and points reach beyond the viewport, where there are no sums of this picture.
+    const vtkOpenGLState::ScopedglEnableDisable scissorTest(frame.State, GL_SCISSOR_TEST);
+    frame.State->vtkglScissor(0, 0, frame.ReducedSize[0], frame.ReducedSize[1]);
+    frame.State->vtkglEnable(GL_SCISSOR_TEST);
     frame.State->vtkglDisable(GL_DEPTH_TEST);
     frame.State->vtkglDisable(GL_BLEND);
     frame.State->vtkglDepthMask(GL_FALSE);

@@ -56,7 +56,11 @@ vtkFourierOpacityStages::vtkFourierOpacityStages(
     case vtkOpacityOptimization::Fourier:
       this->HasBounds = optimization->GetTightDepth();
       this->HasOpaqueLayer = optimization->GetOpaqueThreshold() <= 0.9999;
-      this->OpaqueThreshold = static_cast<float>(optimization->GetOpaqueThreshold());
+      // Without that layer nothing is left to it.
+      if (this->HasOpaqueLayer)
+      {
+        this->OpaqueThreshold = static_cast<float>(optimization->GetOpaqueThreshold());
+      }
       break;
     case vtkOpacityOptimization::PaperFourier:
       this->Series = 1;
@@ -283,9 +287,9 @@ vtkFourierOpacityStage vtkFourierOpacityStages::AddColors() const
   }
   else if (this->Blending == vtkOpacityOptimization::WeightedBlended)
   {
-    // McGuire and Bavoil, 2013, Eq. 10.
+    // McGuire and Bavoil, 2013, Eq. 10: the weight has the opacity, and so have the colours already.
     stage.Code += depth +
-      "  float fourierWeight = fourierAlpha *\n"
+      "  float fourierWeight = fourierAlpha * fourierAlpha *\n"
       "    max(1e-2, 3e3 * (1.0 - fourierD) * (1.0 - fourierD) * (1.0 - fourierD));\n";
   }
   else

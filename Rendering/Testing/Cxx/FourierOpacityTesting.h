@@ -159,6 +159,13 @@ struct Blending
 constexpr const char* MethodNames[] = { "Fourier", "Fourier of the paper", "bins",
   "weighted average", "weighted blended", "lists" };
 
+template <typename Color>
+Point ToPoint(const Color& color)
+{
+  return { static_cast<double>(color[0]), static_cast<double>(color[1]),
+    static_cast<double>(color[2]) };
+}
+
 /// A stack, in any order, as a method blends it over a colour, in units of a byte.
 inline Point BlendBy(
   const Blending& by, std::vector<Square> squares, const std::array<int, 3>& background)
@@ -167,22 +174,32 @@ inline Point BlendBy(
   {
     return Blend(squares, background);
   }
-  Point behind{ static_cast<double>(background[0]), static_cast<double>(background[1]),
-    static_cast<double>(background[2]) };
+  Point behind = ToPoint(background);
   std::stable_sort(
     squares.begin(), squares.end(), [](const Square& a, const Square& b) { return a.Z > b.Z; });
   if (by.Method == Optimization::Fourier && by.OpaqueThreshold <= 0.9999)
   {
     const auto isOpaque = [&](const Square& square)
     { return square.Color[3] / 255.0 >= by.OpaqueThreshold; };
-    const auto opaque = std::find_if(squares.begin(), squares.end(), isOpaque);
-    if (opaque != squares.end())
+    const auto first = std::find_if(squares.begin(), squares.end(), isOpaque);
+    if (first != squares.end())
     {
-      behind = { static_cast<double>(opaque->Color[0]), static_cast<double>(opaque->Color[1]),
-        static_cast<double>(opaque->Color[2]) };
-      squares.erase(opaque, squares.end());
+      // Of several at one depth, the last one drawn.
+      const double z = first->Z;
+      for (const Square& square : squares)
+      {
+        if (square.Z == z && isOpaque(square))
+        {
+          behind = ToPoint(square.Color);
+        }
+      }
+      const auto isHidden = [&](const Square& square) { return square.Z < z || isOpaque(square); };
+      squares.erase(std::remove_if(squares.begin(), squares.end(), isHidden), squares.end());
     }
   }
+  // What has no opacity is not drawn, and does not count.
+  const auto isNothing = [](const Square& square) { return square.Color[3] == 0; };
+  squares.erase(std::remove_if(squares.begin(), squares.end(), isNothing), squares.end());
 
   Values depths;
   double through = 1.0;
