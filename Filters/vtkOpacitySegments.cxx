@@ -352,14 +352,21 @@ std::string vtkOpacitySegments::Execute(
   }
   const auto goesOn = [this](double from, double to, double fraction)
   {
-    this->UpdateProgress(from + (to - from) * fraction);
+    if (!vtkLineSetsCompatibility::CheckAbort(this))
+    {
+      this->UpdateProgress(from + (to - from) * fraction);
+    }
     return !vtkLineSetsCompatibility::CheckAbort(this);
   };
   Division lines(input);
+  if (!goesOn(0.0, 0.1, 1.0))
+  {
+    return std::string();
+  }
   Mesh mesh;
   mesh.Read(input);
   const LonelyPoints points(input, lines, mesh);
-  if (!goesOn(0.0, 0.2, 1.0))
+  if (!goesOn(0.1, 0.2, 1.0))
   {
     return std::string();
   }

@@ -49,6 +49,17 @@ double Distance(const Vector& a, const Vector& b)
   return std::sqrt(Dot(a - b, a - b));
 }
 
+/// How often polygons and strips use a point, or more.
+vtkIdType GetNumberOfUses(vtkPolyData* data)
+{
+  vtkIdType number = 0;
+  for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
+  {
+    number += cells ? cells->GetNumberOfConnectivityIds() : 0;
+  }
+  return number;
+}
+
 /// Finds the vertex at given coordinates, by hashing with linear probing.
 class VertexTable
 {
@@ -109,7 +120,7 @@ class MeshReader
 public:
   MeshReader(Mesh& mesh, vtkPolyData* data)
     : Target(mesh)
-    , Table(data->GetPoints() ? data->GetPoints()->GetNumberOfPoints() : 0)
+    , Table(std::min(data->GetNumberOfPoints(), GetNumberOfUses(data)))
   {
     this->Points.SetPoints(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
     mesh.VertexOfPoint.assign(static_cast<std::size_t>(this->Points.GetNumberOfPoints()), NotUsed);

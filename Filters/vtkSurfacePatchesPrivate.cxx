@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <queue>
-#include <tuple>
 
 namespace vtkSurfacePatches
 {
@@ -23,10 +22,30 @@ std::size_t Index(int i)
   return static_cast<std::size_t>(i);
 }
 
+/// Distances and vertices, the nearest first.
+using Entry = std::pair<double, int>;
+using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
+
 /// Whether a distance is better than another one, beyond rounding.
 bool IsNearer(double distance, double other)
 {
   return distance < other * (1.0 - Tolerance);
+}
+
+/// The mean length of the edges.
+double FindMeanEdge(const Mesh& mesh)
+{
+  double sum = 0.0;
+  double count = 0.0;
+  for (int vertex = 0; vertex < mesh.GetNumberOfVertices(); ++vertex)
+  {
+    for (const auto* corner = mesh.Begin(vertex); corner != mesh.End(vertex); ++corner)
+    {
+      sum += corner->Lengths[0];
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? sum / count : 0.0;
 }
 
 /// The distance of each vertex to the nearest of the seeds so far.
@@ -35,6 +54,7 @@ class NearestDistances
 public:
   explicit NearestDistances(const Mesh& mesh)
     : Surface(mesh)
+    , Margin(2.0 * FindMeanEdge(mesh))
     , Nearest(mesh.Pieces.size(), Infinity)
     , Tentative(mesh.Pieces.size(), 0.0)
     , Round(mesh.Pieces.size(), 0)
@@ -48,20 +68,22 @@ public:
     ++this->CurrentRound;
     this->Reached.clear();
     this->Improve(seed, 0.0);
-    while (!this->Queue.empty())
+    while (!this->Waiting.empty())
     {
-      const double distance = this->Queue.top().first;
-      const int vertex = this->Queue.top().second;
-      this->Queue.pop();
+      const double distance = this->Waiting.top().first;
+      const int vertex = this->Waiting.top().second;
+      this->Waiting.pop();
       double& nearest = this->Nearest[Index(vertex)];
-      // Either the vertex became nearer since, or another seed is: its distance served its
-      // neighbours, but does not spread.
-      if (distance > this->Tentative[Index(vertex)] || !(distance < nearest))
+      // The vertex became nearer since.
+      if (distance > this->Tentative[Index(vertex)])
       {
         continue;
       }
-      nearest = distance;
-      this->IsStale[Index(vertex) / BlockSize] = true;
+      if (distance < nearest)
+      {
+        nearest = distance;
+        this->IsStale[Index(vertex) / BlockSize] = true;
+      }
       this->Spread(vertex, distance);
     }
   }
@@ -135,9 +157,9 @@ private:
     }
     this->Round[Index(vertex)] = this->CurrentRound;
     this->Tentative[Index(vertex)] = distance;
-    if (distance < this->Nearest[Index(vertex)])
+    if (distance < this->Nearest[Index(vertex)] + this->Margin)
     {
-      this->Queue.emplace(distance, vertex);
+      this->Waiting.emplace(distance, vertex);
     }
   }
 
@@ -149,6 +171,10 @@ private:
   }
 
   const Mesh& Surface;
+  /// A seed spreads a little beyond its patch, so that distances inside are found through triangles
+  /// of which all corners have theirs: about one more ring of vertices, across which the distances
+  /// to two seeds differ by two edges more.
+  const double Margin;
   std::vector<double> Nearest;
   /// Distances of the newest seed; valid where the round is the current one.
   std::vector<double> Tentative;
@@ -158,11 +184,11 @@ private:
   std::vector<int> Reached;
   std::vector<double> Largest;
   std::vector<bool> IsStale;
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Queue;
+  Queue Waiting;
 };
 
-/// Spreads all seeds at once.
+/// Spreads all seeds, in turns, so that the work of each turn is in one place of the memory. Labels
+/// improve until nothing changes, so that the order matters for the time alone.
 class NearSeedFinder
 {
 public:
@@ -172,38 +198,53 @@ public:
   {
   }
 
-  bool Find(const std::vector<int>& seeds, const ProgressFunction& goesOn)
+  /// step: how far a seed spreads before the next one has its turn.
+  bool Find(const std::vector<int>& seeds, double step, const ProgressFunction& goesOn)
   {
-    // Each vertex is taken up about once for each label.
-    const double total = static_cast<double>(KeptSeeds * this->Labels.size()) + 1.0;
+    this->Queues.resize(seeds.size());
+    std::vector<int> active;
     for (std::size_t i = 0; i < seeds.size(); ++i)
     {
-      this->Improve(seeds[i], static_cast<int>(i), 0.0);
+      active.push_back(static_cast<int>(i));
+      this->Improve(seeds[i], active.back(), 0.0);
     }
-    for (vtkIdType count = 1; !this->Queue.empty(); ++count)
+    while (!active.empty())
     {
-      double distance = 0.0;
-      int vertex = 0;
-      int seed = 0;
-      std::tie(distance, vertex, seed) = this->Queue.top();
-      this->Queue.pop();
-      // A label that became nearer, or was driven out, is no longer found.
-      if (this->GetDistance(vertex, seed) == distance)
+      double limit = Infinity;
+      for (int seed : active)
       {
-        this->Spread(vertex, seed, distance);
+        limit = std::min(limit, this->Queues[Index(seed)].top().first + step);
       }
-      if (count % 65536 == 0 && !goesOn(std::min(1.0, static_cast<double>(count) / total)))
+      for (int seed : active)
       {
-        return false;
+        if (!this->SpreadSeed(seed, limit, goesOn))
+        {
+          return false;
+        }
       }
+      active.erase(std::remove_if(active.begin(), active.end(),
+                     [this](int seed) { return this->Queues[Index(seed)].empty(); }),
+        active.end());
     }
     return true;
   }
 
+  /// Of two seeds that are equally far, up to rounding, the one placed first comes first.
   NearSeeds GetNearSeeds(std::size_t vertex) const
   {
+    auto labels = this->Labels[vertex];
+    for (std::size_t i = KeptSeeds - 1; i > 0; --i)
+    {
+      NearSeed& near = labels[i - 1];
+      NearSeed& far = labels[i];
+      if (far.Seed >= 0 && far.Seed < near.Seed && !IsNearer(near.Distance, far.Distance))
+      {
+        std::swap(near.Seed, far.Seed);
+        far.Distance = near.Distance;
+      }
+    }
     NearSeeds result;
-    std::copy_n(this->Labels[vertex].begin(), NumberOfNearSeeds, result.begin());
+    std::copy_n(labels.begin(), NumberOfNearSeeds, result.begin());
     return result;
   }
 
@@ -211,6 +252,33 @@ private:
   /// More labels are kept than are needed, so that the last ones of those have their distances
   /// through triangles too: both ends of an edge mostly have a label if it is not the last one.
   static constexpr std::size_t KeptSeeds = NumberOfNearSeeds + 2;
+
+  /// Spread a seed up to a distance.
+  bool SpreadSeed(int seed, double limit, const ProgressFunction& goesOn)
+  {
+    // Each vertex is taken up about once for each label.
+    const double total = static_cast<double>(KeptSeeds * this->Labels.size());
+    Queue& queue = this->Queues[Index(seed)];
+    while (!queue.empty() && queue.top().first <= limit)
+    {
+      const double distance = queue.top().first;
+      const int vertex = queue.top().second;
+      queue.pop();
+      // A label that became nearer, or was driven out, is no longer found.
+      if (this->GetDistance(vertex, seed) != distance)
+      {
+        continue;
+      }
+      this->Spread(vertex, seed, distance);
+      ++this->Count;
+      if (this->Count % 16384 == 0 &&
+        !goesOn(std::min(1.0, static_cast<double>(this->Count) / total)))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
 
   double GetDistance(int vertex, int seed) const
   {
@@ -247,7 +315,7 @@ private:
     }
     labels[slot].Seed = seed;
     labels[slot].Distance = distance;
-    this->Queue.emplace(distance, vertex, seed);
+    this->Queues[Index(seed)].emplace(distance, vertex);
   }
 
   void Spread(int vertex, int seed, double distance)
@@ -260,9 +328,18 @@ private:
 
   const Mesh& Surface;
   std::vector<std::array<NearSeed, KeptSeeds>> Labels;
-  using Entry = std::tuple<double, int, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Queue;
+  std::vector<Queue> Queues;
+  vtkIdType Count = 0;
 };
+
+/// How far seeds spread in a turn: about a quarter of the distance between them, if the surface is
+/// a grid of its mean edge length, but an edge at least.
+double FindStep(const Mesh& mesh, std::size_t numberOfSeeds)
+{
+  const double verticesPerSeed = static_cast<double>(mesh.Pieces.size()) /
+    static_cast<double>(std::max<std::size_t>(numberOfSeeds, 1));
+  return FindMeanEdge(mesh) * std::max(1.0, 0.25 * std::sqrt(verticesPerSeed));
+}
 
 }
 
@@ -302,7 +379,7 @@ std::vector<NearSeeds> FindNearSeeds(
 {
   NearSeedFinder finder(mesh);
   std::vector<NearSeeds> result;
-  if (finder.Find(seeds, goesOn))
+  if (finder.Find(seeds, FindStep(mesh, seeds.size()), goesOn))
   {
     result.reserve(mesh.Pieces.size());
     for (std::size_t vertex = 0; vertex < mesh.Pieces.size(); ++vertex)

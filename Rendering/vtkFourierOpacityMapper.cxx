@@ -40,13 +40,16 @@ public:
   vtkSmartPointer<vtkOpacityOptimization> Optimization =
     vtkSmartPointer<vtkOpacityOptimization>::New();
   vtkFourierOpacityVertices Vertices;
+  bool IsRendering = false;
   // What is drawn: null for what vtkIlluminatedLineMapper draws.
   const vtkFourierOpacityStage* Stage = nullptr;
   // Stages of the programs that the primitives have.
   std::map<const vtkOpenGLHelper*, std::string> Keys;
 
   // By itself.
-  vtkFourierOpacityPainter Painter;
+  std::shared_ptr<vtkFourierOpacityPainter> Painter = std::make_shared<vtkFourierOpacityPainter>();
+  // That of the last picture: the mapper's own or a pass's.
+  std::weak_ptr<vtkFourierOpacityPainter> SelectionPainter;
   vtkLineSetsLayer Layer;
   vtkLineSetsFrameCounter Frames;
   vtkIdType Frame = -1;
@@ -54,6 +57,7 @@ public:
   // What has been said, so that it is said once.
   std::vector<std::string> Said;
   std::string Error;
+  std::string Warning;
 };
 
 vtkStandardNewMacro(vtkFourierOpacityMapper);
@@ -79,6 +83,23 @@ vtkSmartPointer<vtkFloatArray> Repeat(vtkFloatArray* values, vtkPolyData* drawn)
   }
   return repeated;
 }
+
+// A flag that is set while this lives.
+struct Flag
+{
+  explicit Flag(bool& flag)
+    : Place(flag)
+    , Old(flag)
+  {
+    flag = true;
+  }
+  ~Flag() { this->Place = this->Old; }
+  Flag(const Flag&) = delete;
+  void operator=(const Flag&) = delete;
+
+  bool& Place;
+  const bool Old;
+};
 
 // Whether the opacity of a fragment is known only with its colour.
 bool HasLateOpacity(vtkActor* actor)
@@ -162,38 +183,47 @@ void vtkFourierOpacityMapper::SetNumberOfPatches(int number)
 //------------------------------------------------------------------------------
 vtkIdType vtkFourierOpacityMapper::GetNumberOfBytes()
 {
-  return this->Internals->Painter.GetNumberOfBytes();
+  return this->Internals->Painter->GetNumberOfBytes();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkFourierOpacityMapper::GetNumberOfSumBytes()
 {
-  return this->Internals->Painter.GetNumberOfSumBytes();
+  return this->Internals->Painter->GetNumberOfSumBytes();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkFourierOpacityMapper::GetNumberOfFragments()
 {
-  return this->Internals->Painter.GetNumberOfFragments();
+  return this->Internals->Painter->GetNumberOfFragments();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkFourierOpacityMapper::GetNumberOfDroppedFragments()
 {
-  return this->Internals->Painter.GetNumberOfDroppedFragments();
+  return this->Internals->Painter->GetNumberOfDroppedFragments();
 }
 
 //------------------------------------------------------------------------------
 double vtkFourierOpacityMapper::GetMeanDepthComplexity()
 {
-  return this->Internals->Painter.GetMeanDepthComplexity();
+  return this->Internals->Painter->GetMeanDepthComplexity();
+}
+
+//------------------------------------------------------------------------------
+int vtkFourierOpacityMapper::GetNumberOfAccumulatedPictures()
+{
+  return this->Internals->Painter->GetNumberOfAccumulatedPictures();
 }
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkFourierOpacityMapper::GetMTime()
 {
-  // Not that of the optimization: nothing that the mapper keeps depends on it.
-  return this->Superclass::GetMTime();
+  // A picture depends on the optimization, but none of the buffers does.
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Internals->IsRendering
+    ? time
+    : std::max(time, this->Internals->Optimization->GetMTime());
 }
 
 //------------------------------------------------------------------------------
@@ -255,6 +285,7 @@ void vtkFourierOpacityMapper::RenderStage(
 void vtkFourierOpacityMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkInternals& internals = *this->Internals;
+  const Flag rendering(internals.IsRendering);
   if (!internals.Stage && !renderer->GetSelector())
   {
     this->RenderAlone(renderer, actor);
@@ -262,16 +293,7 @@ void vtkFourierOpacityMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor
   }
   if (!internals.Stage)
   {
-    vtkFourierOpacityStage selection;
-    this->UpdateElements();
-    const bool known = internals.Painter.BeginSelection(renderer, 0, selection);
-    internals.Stage = known ? &selection : nullptr;
-    this->Superclass::RenderPiece(renderer, actor);
-    internals.Stage = nullptr;
-    if (known)
-    {
-      internals.Painter.EndSelection();
-    }
+    this->RenderSelection(renderer, actor);
     return;
   }
   // The actor turns off depth writing for what is translucent.
@@ -279,6 +301,30 @@ void vtkFourierOpacityMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor
   vtkOpenGLState::ScopedglDepthMask mask(window->GetState());
   window->GetState()->vtkglDepthMask(internals.Stage->WritesDepth ? 1 : 0);
   this->Superclass::RenderPiece(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::SetSelectionPainter(
+  const std::shared_ptr<vtkFourierOpacityPainter>& painter)
+{
+  this->Internals->SelectionPainter = painter;
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::RenderSelection(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkInternals& internals = *this->Internals;
+  this->UpdateElements();
+  vtkFourierOpacityStage stage;
+  const std::shared_ptr<vtkFourierOpacityPainter> painter = internals.SelectionPainter.lock();
+  const bool known = painter && painter->BeginSelection(renderer, { actor, this }, stage);
+  internals.Stage = known ? &stage : nullptr;
+  this->Superclass::RenderPiece(renderer, actor);
+  internals.Stage = nullptr;
+  if (known)
+  {
+    painter->EndSelection();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -296,10 +342,18 @@ void vtkFourierOpacityMapper::RenderAlone(vtkRenderer* renderer, vtkActor* actor
   std::string error;
   if (frame != internals.Frame || !internals.Layer.HasPicture())
   {
-    error = internals.Painter.Draw(renderer, { { actor, this } }, internals.Optimization,
+    std::string warning;
+    error = internals.Painter->Draw(renderer, { { actor, this } }, internals.Optimization,
       [&](const vtkFourierOpacityPainter::Item& item, const vtkFourierOpacityStage& stage)
-      { item.Mapper->RenderStage(renderer, item.Actor, stage, false); });
-    internals.Layer.SetTextures(internals.Painter.GetColor(), internals.Painter.GetDepth());
+      { item.Mapper->RenderStage(renderer, item.Actor, stage, false); },
+      vtkFourierOpacityPainter::Picture, warning);
+    if (!warning.empty() && warning != internals.Warning)
+    {
+      vtkWarningMacro(<< warning);
+    }
+    internals.Warning = warning;
+    internals.SelectionPainter = internals.Painter;
+    internals.Layer.SetTextures(internals.Painter->GetColor(), internals.Painter->GetDepth());
     internals.Frame = frame;
   }
   if (error.empty())
@@ -383,7 +437,7 @@ void vtkFourierOpacityMapper::SetMapperShaderParameters(
 //------------------------------------------------------------------------------
 void vtkFourierOpacityMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Internals->Painter.ReleaseGraphicsResources(window);
+  this->Internals->Painter->ReleaseGraphicsResources(window);
   this->Internals->Layer.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }

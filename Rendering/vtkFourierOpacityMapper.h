@@ -133,6 +133,10 @@ public:
   double GetMeanDepthComplexity();
   ///@}
 
+  /// Number of pictures whose mean was drawn last by the mapper by itself
+  /// (vtkOpacityOptimization::SetAccumulationFrames()); 0 before the first one.
+  int GetNumberOfAccumulatedPictures();
+
   bool HasOpaqueGeometry() override { return false; }
   bool HasTranslucentPolygonalGeometry() override { return true; }
 
@@ -172,6 +176,9 @@ private:
   vtkFourierOpacityGroup UpdateElements();
   void RenderStage(
     vtkRenderer* renderer, vtkActor* actor, const vtkFourierOpacityStage& stage, bool byActor);
+  /// Whose last picture tells what a selection leaves out.
+  void SetSelectionPainter(const std::shared_ptr<vtkFourierOpacityPainter>& painter);
+  void RenderSelection(vtkRenderer* renderer, vtkActor* actor);
   void RenderAlone(vtkRenderer* renderer, vtkActor* actor);
 
   class vtkInternals;

@@ -6,6 +6,7 @@
 #include "vtkLineSetsCompatibilityPrivate.h"
 
 #include "vtkActor.h"
+#include "vtkFourierOpacityAccumulator.h"
 #include "vtkFourierOpacityMapper.h"
 #include "vtkFourierOpacityStages.h"
 #include "vtkLineSetsQuad.h"
@@ -15,6 +16,7 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkVoxelLineAccumulator.h"
 
 #include <algorithm>
 #include <chrono>
@@ -157,6 +159,9 @@ struct vtkFourierOpacityPainter::View
   vtkFourierOpacityView Last;
   bool HasLast = false;
   std::chrono::steady_clock::time_point Time;
+  std::chrono::steady_clock::time_point LastChange;
+  vtkFourierOpacityAccumulator Accumulator;
+  vtkNew<vtkTextureObject> Sum; ///< of the pictures, colours multiplied by opacity
 };
 
 //------------------------------------------------------------------------------
@@ -192,6 +197,12 @@ struct vtkFourierOpacityPainter::Frame
   int MostTargets = 8;
   double Blend = 1.0;
   bool IsListing = false;
+  DestinationType Destination = Picture;
+  /// Number of pictures in the sum before this one; -1 where pictures are not summed up.
+  int Number = -1;
+  float Shift[2] = { 0.0f, 0.0f };
+  /// Pixel of the framebuffer on which the picture's first one falls.
+  int Origin[2] = { 0, 0 };
   ActiveTextures Textures;
 };
 
@@ -250,6 +261,26 @@ std::string vtkFourierOpacityPainter::Prepare(Frame& frame)
       std::chrono::duration<double>(time - frame.View.Time).count();
     frame.Blend = vtkOpacitySmoothing::GetBlend(seconds, transition);
   }
+  const int largest = frame.Optimization->GetAccumulationFrames();
+  if (largest > 1)
+  {
+    frame.Number = frame.View.Accumulator.Begin(frame.Renderer, frame.Optimization, largest);
+    // While opacities follow, no picture shows the same as the one before.
+    const bool follows =
+      std::chrono::duration<double>(time - frame.View.LastChange).count() < transition;
+    if (frame.Number == 0)
+    {
+      frame.View.LastChange = time;
+    }
+    else if (follows)
+    {
+      frame.Number = 0;
+    }
+    const glm::dvec2 offset =
+      vtkVoxelLineAccumulator::GetOffset(std::min(frame.Number, largest - 1));
+    frame.Shift[0] = static_cast<float>(2.0 * offset.x / frame.Now.Size[0]);
+    frame.Shift[1] = static_cast<float>(2.0 * offset.y / frame.Now.Size[1]);
+  }
   frame.View.Last = frame.Now;
   frame.View.HasLast = true;
   frame.View.Time = time;
@@ -273,7 +304,7 @@ std::string vtkFourierOpacityPainter::Prepare(Frame& frame)
   layout.BoundsHeight = frame.Stages.HasBounds ? frame.ReducedSize[1] : 0;
   layout.HasCounts = !frame.Stages.HasSums && !frame.Stages.HasLists;
   layout.HasOpaqueLayer = frame.Stages.HasOpaqueLayer;
-  layout.HasPicture = true;
+  layout.HasPicture = frame.Destination == Picture;
   return this->Targets.Prepare(frame.Window, layout);
 }
 
@@ -303,9 +334,22 @@ void vtkFourierOpacityPainter::SetCommonParameters(const Frame& frame, vtkShader
       static_cast<float>(from->GetBackgroundWeight()), static_cast<float>(from->GetEmphasis()) };
     program->SetUniform4f("fourierWeights", weights);
   }
+  if (program->IsUniformUsed("fourierOrigin"))
+  {
+    program->SetUniform2i("fourierOrigin", frame.Origin);
+  }
+  if (program->IsUniformUsed("fourierMeanFactor"))
+  {
+    program->SetUniformf(
+      "fourierMeanFactor", 1.0f / std::max(1, frame.View.Accumulator.GetNumber()));
+  }
   if (program->IsUniformUsed("fourierSize"))
   {
     program->SetUniform2i("fourierSize", frame.Now.Size);
+  }
+  if (program->IsUniformUsed("fourierShift"))
+  {
+    program->SetUniform2f("fourierShift", frame.Shift);
   }
   SetIfUsed(program, "fourierReduction", frame.Reduction);
   SetIfUsed(program, "fourierElementShift", this->Shift);
@@ -346,7 +390,9 @@ std::string vtkFourierOpacityPainter::UploadElements(Frame& frame, const std::ve
 //------------------------------------------------------------------------------
 void vtkFourierOpacityPainter::SumImportance(Frame& frame)
 {
-  const int sums = frame.Stages.Exact ? 0 : static_cast<int>(this->Targets.Sums.size());
+  // Opacities stay as they are in later pictures of the same view, of which only bounds are needed.
+  const bool sumsUp = !frame.Stages.Exact && frame.Number <= 0;
+  const int sums = sumsUp ? static_cast<int>(this->Targets.Sums.size()) : 0;
   frame.State->vtkglDisable(GL_DEPTH_TEST);
   frame.State->vtkglDepthMask(GL_FALSE);
   frame.State->vtkglEnable(GL_BLEND);
@@ -402,6 +448,10 @@ std::string vtkFourierOpacityPainter::FindOpacities(Frame& frame)
 {
   std::vector<float> values;
   std::string error = this->PrepareSmallest(frame, values);
+  if (error.empty() && frame.Number > 0)
+  {
+    return this->UploadOpacities(frame, values);
+  }
   if (!error.empty())
   {
     return error;
@@ -620,11 +670,33 @@ std::string vtkFourierOpacityPainter::DrawLists(Frame& frame, vtkFourierOpacityS
 }
 
 //------------------------------------------------------------------------------
+std::string vtkFourierOpacityPainter::Accumulate(Frame& frame)
+{
+  vtkTextureObject* sum = frame.View.Sum;
+  if (frame.Number == 0 && !vtkFourierOpacityTargets::MakeColors(frame.Window, sum, frame.Now.Size))
+  {
+    return "There is no memory on the graphics device to accumulate pictures.";
+  }
+  this->Targets.Bind({ sum }, nullptr);
+  if (frame.Number == 0)
+  {
+    frame.State->vtkglClear(GL_COLOR_BUFFER_BIT);
+  }
+  frame.State->vtkglViewport(0, 0, frame.Now.Size[0], frame.Now.Size[1]);
+  frame.State->vtkglDisable(GL_DEPTH_TEST);
+  frame.State->vtkglEnable(GL_BLEND);
+  frame.State->vtkglBlendFunc(GL_ONE, GL_ONE);
+  std::string error = this->Finish(frame);
+  if (error.empty())
+  {
+    frame.View.Accumulator.Add();
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkFourierOpacityPainter::Finish(Frame& frame)
 {
-  frame.State->vtkglDisable(GL_DEPTH_TEST);
-  frame.State->vtkglDisable(GL_BLEND);
-  this->Targets.Bind({ this->Targets.Color, this->Targets.Depth }, nullptr);
   if (frame.Stages.HasSums)
   {
     this->AddSumTextures(frame);
@@ -636,14 +708,81 @@ std::string vtkFourierOpacityPainter::Finish(Frame& frame)
   {
     frame.Textures.Add("fourierBounds", this->Targets.Widened);
   }
-  std::string error = this->DrawQuad(frame, frame.Stages.Finish());
+  std::string error = this->DrawQuad(frame, frame.Stages.Finish(frame.Number >= 0));
   frame.Textures.Clear();
   return error;
 }
 
 //------------------------------------------------------------------------------
+std::string vtkFourierOpacityPainter::Show(Frame& frame)
+{
+  frame.State->vtkglDisable(GL_DEPTH_TEST);
+  frame.State->vtkglDepthMask(GL_FALSE);
+  if (frame.Destination == Picture)
+  {
+    frame.State->vtkglDisable(GL_BLEND);
+    frame.State->vtkglViewport(0, 0, frame.Now.Size[0], frame.Now.Size[1]);
+    this->Targets.Bind({ this->Targets.Color, this->Targets.Depth }, nullptr);
+  }
+  else
+  {
+    frame.State->vtkglEnable(GL_BLEND);
+    frame.State->vtkglBlendFuncSeparate(
+      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  if (frame.Number < 0)
+  {
+    return this->Finish(frame);
+  }
+  frame.Textures.Add("fourierColors", frame.View.Sum);
+  std::string error = this->DrawQuad(frame, frame.Stages.ShowMean());
+  frame.Textures.Clear();
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityPainter::MakePicture(Frame& frame, const int origin[2])
+{
+  frame.Scene =
+    this->SceneDepth.Copy(frame.Window, origin, frame.Now.Size[0], frame.Now.Size[1]);
+  if (!frame.Scene)
+  {
+    return "The depth of the opaque scene cannot be read.";
+  }
+  frame.State->vtkglDisable(GL_SCISSOR_TEST);
+#ifdef GL_MULTISAMPLE
+  frame.State->vtkglDisable(GL_MULTISAMPLE);
+#endif
+  frame.State->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  frame.State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+
+  this->NumberOfDroppedFragments = 0;
+  this->SumImportance(frame);
+  std::string error = this->FindOpacities(frame);
+  if (error.empty() && frame.Stages.HasOpaqueLayer)
+  {
+    this->DrawOpaqueLayer(frame);
+  }
+  if (error.empty() && frame.Stages.HasBounds)
+  {
+    error = this->Widen(frame);
+  }
+  if (error.empty() && frame.Stages.HasLists)
+  {
+    error = this->ListColors(frame);
+  }
+  else if (error.empty())
+  {
+    this->SumOpticalDepth(frame);
+    this->AddColors(frame);
+  }
+  return error.empty() && frame.Number >= 0 ? this->Accumulate(frame) : error;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vector<Item>& items,
-  vtkOpacityOptimization* optimization, const DrawFunction& drawItem)
+  vtkOpacityOptimization* optimization, const DrawFunction& drawItem, DestinationType destination,
+  std::string& warning)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
@@ -669,7 +808,9 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
   }
   now.Set(renderer, actors);
   Frame frame(renderer, items, optimization, drawItem, now, this->GetView(renderer));
+  frame.Destination = destination;
   this->LastView = &frame.View;
+  this->LastItems = items;
   error = this->Prepare(frame);
   if (!error.empty())
   {
@@ -679,58 +820,49 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
   const SavedState saved(frame.State);
   int viewport[4];
   frame.State->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  frame.Origin[0] = destination == Picture ? 0 : viewport[0];
+  frame.Origin[1] = destination == Picture ? 0 : viewport[1];
   int tiledOrigin[2];
   int size[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &tiledOrigin[0], &tiledOrigin[1]);
-  int origin[2];
-  vtkLineSetsSceneDepth::GetReadOrigin(window, viewport, tiledOrigin, origin);
-  frame.Scene = this->SceneDepth.Copy(window, origin, size[0], size[1]);
-  if (!frame.Scene)
+  int readOrigin[2];
+  vtkLineSetsSceneDepth::GetReadOrigin(window, viewport, tiledOrigin, readOrigin);
+  // Enough pictures are in the sum, or one more is made.
+  if (frame.Number < optimization->GetAccumulationFrames())
   {
-    return "The depth of the opaque scene cannot be read.";
+    const SavedState target(frame.State);
+    error = this->MakePicture(frame, readOrigin);
   }
-  frame.State->vtkglDisable(GL_SCISSOR_TEST);
-#ifdef GL_MULTISAMPLE
-  frame.State->vtkglDisable(GL_MULTISAMPLE);
-#endif
-  frame.State->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  frame.State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-
-  this->NumberOfDroppedFragments = 0;
-  this->SumImportance(frame);
-  error = this->FindOpacities(frame);
-  if (error.empty() && frame.Stages.HasOpaqueLayer)
+  error = error.empty() ? this->Show(frame) : error;
+  if (!error.empty())
   {
-    this->DrawOpaqueLayer(frame);
+    frame.View.Accumulator.Forget();
   }
-  if (error.empty() && frame.Stages.HasBounds)
+  this->NumberOfAccumulatedPictures = frame.Number < 0 ? 1 : frame.View.Accumulator.GetNumber();
+  if (this->NumberOfDroppedFragments > 0)
   {
-    error = this->Widen(frame);
+    warning = std::to_string(this->NumberOfDroppedFragments) +
+      " fragments did not fit into the lists and are not drawn: MaximumListMemory is " +
+      std::to_string(optimization->GetMaximumListMemory()) + " MiB.";
   }
-  if (error.empty() && optimization->GetBlending() == vtkOpacityOptimization::FragmentLists)
-  {
-    error = this->ListColors(frame);
-  }
-  else if (error.empty())
-  {
-    this->SumOpticalDepth(frame);
-    this->AddColors(frame);
-  }
-  return error.empty() ? this->Finish(frame) : error;
+  return error;
 }
 
 //------------------------------------------------------------------------------
 bool vtkFourierOpacityPainter::BeginSelection(
-  vtkRenderer* renderer, std::size_t item, vtkFourierOpacityStage& stage)
+  vtkRenderer* renderer, const Item& item, vtkFourierOpacityStage& stage)
 {
   vtkTextureObject* texture = this->Opacities.GetTexture();
-  if (!this->LastView || this->LastView->Renderer != renderer ||
-    item >= this->LastView->Elements.GetNumberOfGroups() || texture->GetHandle() == 0)
+  const auto found = std::find_if(this->LastItems.begin(), this->LastItems.end(),
+    [&item](const Item& last) { return last.Actor == item.Actor && last.Mapper == item.Mapper; });
+  if (!this->LastView || this->LastView->Renderer != renderer || found == this->LastItems.end() ||
+    texture->GetHandle() == 0)
   {
     return false;
   }
   texture->Activate();
-  const auto first = static_cast<int>(this->LastView->Elements.GetFirstElement(item));
+  const auto first = static_cast<int>(
+    this->LastView->Elements.GetFirstElement(found - this->LastItems.begin()));
   const int shift = this->Shift;
   stage = vtkFourierOpacityStages::Select();
   stage.SetParameters = [texture, first, shift](vtkShaderProgram* program)
@@ -751,8 +883,14 @@ void vtkFourierOpacityPainter::EndSelection()
 //------------------------------------------------------------------------------
 vtkIdType vtkFourierOpacityPainter::GetNumberOfBytes() const
 {
-  return this->Targets.GetNumberOfBytes() + this->SceneDepth.GetNumberOfBytes() +
-    static_cast<vtkIdType>(this->Smallest.GetNumberOfBytes() + this->Opacities.GetNumberOfBytes());
+  vtkIdType bytes = this->Targets.GetNumberOfBytes() + this->SceneDepth.GetNumberOfBytes() +
+    static_cast<vtkIdType>(this->Smallest.GetNumberOfBytes() + this->Opacities.GetNumberOfBytes()) +
+    this->Lists.GetNumberOfBytes();
+  for (const std::unique_ptr<View>& view : this->Views)
+  {
+    bytes += vtkFourierOpacityTargets::GetNumberOfColorBytes(view->Sum);
+  }
+  return bytes;
 }
 
 //------------------------------------------------------------------------------
@@ -767,6 +905,11 @@ void vtkFourierOpacityPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Targets.ReleaseGraphicsResources(window);
   this->SceneDepth.ReleaseGraphicsResources(window);
+  for (const std::unique_ptr<View>& view : this->Views)
+  {
+    view->Sum->ReleaseGraphicsResources(window);
+    view->Accumulator.Forget();
+  }
   this->Smallest.Release(window);
   this->Opacities.Release(window);
   this->Lists.ReleaseGraphicsResources(window);

@@ -61,22 +61,31 @@ public:
   /// Draws one item with the shaders of a stage.
   using DrawFunction = std::function<void(const Item&, const vtkFourierOpacityStage&)>;
 
+  /// Where the picture goes.
+  enum DestinationType
+  {
+    Picture,    ///< textures, GetColor() and GetDepth()
+    Framebuffer ///< the one that is bound for drawing, over what it holds
+  };
+
   /**
    * Make the picture of some actors, before and behind what the framebuffer bound for reading
-   * holds. Returns an empty string, or else why nothing was drawn; bindings and state are restored.
+   * holds. Returns an empty string, or else why nothing was drawn; a warning tells what is not
+   * right with what was drawn. Bindings and state are restored.
    */
   std::string Draw(vtkRenderer* renderer, const std::vector<Item>& items,
-    vtkOpacityOptimization* optimization, const DrawFunction& drawItem);
+    vtkOpacityOptimization* optimization, const DrawFunction& drawItem, DestinationType destination,
+    std::string& warning);
 
   /// The picture: colour, not multiplied by opacity, and depth from 0 to 1.
   vtkTextureObject* GetColor() const { return this->Targets.Color; }
   vtkTextureObject* GetDepth() const { return this->Targets.Depth; }
 
   /**
-   * Describe how a selection draws an item, by its place among those of the last picture, and make
-   * its opacities readable until EndSelection(). Returns false where the renderer had no picture.
+   * Describe how a selection draws an item of the last picture, and make its opacities readable
+   * until EndSelection(). Returns false where the renderer's last picture had no such item.
    */
-  bool BeginSelection(vtkRenderer* renderer, std::size_t item, vtkFourierOpacityStage& stage);
+  bool BeginSelection(vtkRenderer* renderer, const Item& item, vtkFourierOpacityStage& stage);
   void EndSelection();
 
   /// Bytes on the graphics device: of all, and of the sums alone.
@@ -87,6 +96,8 @@ public:
   /// want of memory, and the mean over the pixels that have any.
   vtkIdType GetNumberOfFragments() const { return this->Lists.GetNumberOfFragments(); }
   vtkIdType GetNumberOfDroppedFragments() const { return this->NumberOfDroppedFragments; }
+  /// Number of pictures whose mean was drawn last.
+  int GetNumberOfAccumulatedPictures() const { return this->NumberOfAccumulatedPictures; }
   double GetMeanDepthComplexity() const { return this->Lists.GetMeanNumberPerPixel(); }
 
   /// Opacities of the elements of the last picture.
@@ -118,7 +129,10 @@ private:
   void SumOpticalDepth(Frame& frame);
   void AddColors(Frame& frame);
   std::string ListColors(Frame& frame);
+  std::string MakePicture(Frame& frame, const int origin[2]);
+  std::string Accumulate(Frame& frame);
   std::string Finish(Frame& frame);
+  std::string Show(Frame& frame);
   std::string DrawQuad(Frame& frame, const std::string& source);
   std::string DrawLists(Frame& frame, vtkFourierOpacityStage& stage, const int size[2],
     vtkTextureObject* target, const std::string& resolve);
@@ -130,9 +144,11 @@ private:
   vtkLineSetsBufferTexture Opacities;
   std::list<std::unique_ptr<View>> Views;
   View* LastView = nullptr;
+  std::vector<Item> LastItems; ///< compared, never followed
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   int Shift = 0;
   vtkIdType NumberOfDroppedFragments = 0;
+  int NumberOfAccumulatedPictures = 0;
 };
 
 #endif

@@ -310,6 +310,7 @@ vtkFourierOpacityStage vtkFourierOpacityStages::Select()
   vtkFourierOpacityStage stage;
   stage.Kind = vtkFourierOpacityStage::Selection;
   stage.NeedsOpacity = true;
+  stage.WritesDepth = true;
   // Fainter than this, a fragment is taken for not seen.
   stage.Code = "  if (fourierOpacityVSOutput < 0.1)\n  {\n    discard;\n  }\n";
   return stage;
@@ -345,7 +346,7 @@ std::string vtkFourierOpacityStages::Widen() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFourierOpacityStages::Finish() const
+std::string vtkFourierOpacityStages::Finish(bool multiplied) const
 {
   std::string through;
   if (this->HasSums)
@@ -373,9 +374,11 @@ std::string vtkFourierOpacityStages::Finish() const
     "uniform sampler2D fourierColors;\n"
     "uniform sampler2D fourierCounts;\n"
     "uniform sampler2D fourierOpaque;\n"
+    "uniform ivec2 fourierOrigin;\n"
     "void main()\n"
     "{\n"
-    "  ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "  ivec2 pixel = ivec2(gl_FragCoord.xy)" +
+    (multiplied ? "" : " - fourierOrigin") + ";\n"
     "  vec4 sum = texelFetch(fourierColors, pixel, 0);\n" +
     through +
     "  float alpha = sum.a > 0.0 ? 1.0 - through : 0.0;\n"
@@ -384,11 +387,31 @@ std::string vtkFourierOpacityStages::Finish() const
                             "  color += (1.0 - alpha) * behind.a * behind.rgb;\n"
                             "  alpha += (1.0 - alpha) * behind.a;\n"
                           : "") +
-    "  gl_FragData[0] = alpha > 0.0 ? vec4(color / alpha, alpha) : vec4(0.0);\n" +
+    (multiplied ? "  gl_FragData[0] = vec4(color, alpha);\n"
+                : "  gl_FragData[0] = alpha > 0.0 ? vec4(color / alpha, alpha) : vec4(0.0);\n") +
     (this->HasBounds
         ? "  gl_FragData[1] = vec4(fourierBufferDepth(1.0 -\n"
           "    texelFetch(fourierBounds, pixel / fourierReduction, 0).r), 0.0, 0.0, 0.0);\n"
         : "  gl_FragData[1] = vec4(fourierBufferDepth(0.0), 0.0, 0.0, 0.0);\n") +
+    "}\n";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityStages::ShowMean() const
+{
+  return "//VTK::System::Dec\n"
+         "//VTK::Output::Dec\n" +
+    this->GetDeclarations(false) +
+    "uniform sampler2D fourierColors;\n"
+    "uniform ivec2 fourierOrigin;\n"
+    "uniform float fourierMeanFactor;\n"
+    "void main()\n"
+    "{\n"
+    "  ivec2 pixel = ivec2(gl_FragCoord.xy) - fourierOrigin;\n"
+    "  vec4 mean = fourierMeanFactor * texelFetch(fourierColors, pixel, 0);\n"
+    "  gl_FragData[0] = mean.a > 0.0 ? vec4(mean.rgb / mean.a, mean.a) : vec4(0.0);\n"
+    // Bounds of the depth are those of one picture only: all is at the nearest depth.
+    "  gl_FragData[1] = vec4(fourierBufferDepth(0.0), 0.0, 0.0, 0.0);\n"
     "}\n";
 }
 

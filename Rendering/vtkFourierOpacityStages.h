@@ -52,7 +52,10 @@ struct vtkFourierOpacityStages
 
   /// Fragment shaders of quads.
   std::string Widen() const;
-  std::string Finish() const;
+  /// The result; colours multiplied by opacity, for sums of pictures, or not.
+  std::string Finish(bool multiplied) const;
+  /// The mean of pictures from their sum.
+  std::string ShowMean() const;
   /// What walks a sorted list of fragments: finds opacities, or blends colours.
   std::string ResolveImportance() const;
   std::string ResolveColors() const;

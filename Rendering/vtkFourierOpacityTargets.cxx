@@ -162,6 +162,19 @@ void vtkFourierOpacityTargets::Bind(
 }
 
 //------------------------------------------------------------------------------
+bool vtkFourierOpacityTargets::MakeColors(
+  vtkOpenGLRenderWindow* window, vtkTextureObject* texture, const int size[2])
+{
+  return Make(window, texture, true, size[0], size[1], 4, GL_RGBA32F);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFourierOpacityTargets::GetNumberOfColorBytes(vtkTextureObject* texture)
+{
+  return GetBytes(texture, GL_RGBA32F);
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkFourierOpacityTargets::GetNumberOfSumBytes() const
 {
   vtkIdType bytes = 0;

@@ -62,6 +62,11 @@ public:
    */
   void Bind(const std::vector<vtkTextureObject*>& textures, vtkTextureObject* depth);
 
+  /// Make a texture of sums of colours for others, or resize it; returns whether there was memory.
+  static bool MakeColors(
+    vtkOpenGLRenderWindow* window, vtkTextureObject* texture, const int size[2]);
+  static vtkIdType GetNumberOfColorBytes(vtkTextureObject* texture);
+
   /// Bytes of all textures, and of the sums alone.
   vtkIdType GetNumberOfBytes() const;
   vtkIdType GetNumberOfSumBytes() const;
@@ -72,7 +77,7 @@ private:
   vtkFourierOpacityTargets(const vtkFourierOpacityTargets&) = delete;
   void operator=(const vtkFourierOpacityTargets&) = delete;
 
-  bool Make(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, bool wanted, int width,
+  static bool Make(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, bool wanted, int width,
     int height, int components, unsigned int format);
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;

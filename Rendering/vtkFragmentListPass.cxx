@@ -56,6 +56,7 @@ public:
     , Scissor(state)
     , ScissorTest(state, GL_SCISSOR_TEST)
     , Blend(state, GL_BLEND)
+    , Cull(state, GL_CULL_FACE)
     , Multisample(state, GL_MULTISAMPLE)
   {
     state->PushDrawFramebufferBinding();
@@ -83,6 +84,7 @@ private:
   vtkOpenGLState::ScopedglScissor Scissor;
   vtkOpenGLState::ScopedglEnableDisable ScissorTest;
   vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglEnableDisable Cull;
   vtkOpenGLState::ScopedglEnableDisable Multisample;
 };
 }
@@ -395,8 +397,8 @@ void vtkFragmentListPass::UpdateStatistics()
     this->NumberOfDroppedFragments != this->Internals->LastDropped)
   {
     vtkWarningMacro("" << this->NumberOfDroppedFragments << " of " << this->NumberOfFragments
-                       << " translucent fragments are missing in the picture: those of a pixel "
-                          "row do not fit into the MaximumNumberOfBytes of "
+                       << " translucent fragments are missing in the picture. A pixel row must fit "
+                          "into MaximumNumberOfBytes, 16 per fragment, which is "
                        << this->MaximumNumberOfBytes << ".");
   }
   this->Internals->LastDropped = this->NumberOfDroppedFragments;

@@ -36,9 +36,10 @@
  *
  * <b>What may be missing.</b> The pass needs OpenGL 4.2, or 3.3 with
  * GL_ARB_shader_image_load_store. Where that is missing, or there is no memory, an error says so
- * once, and the delegate draws alone, blending in the order of the props. A hardware selector also
- * gets what the delegate draws. A pixel row whose fragments do not fit into MaximumNumberOfBytes
- * loses some: NumberOfDroppedFragments tells how many, and a warning whenever the number changes.
+ * once, and the delegate draws alone, blending in the order of the props; so it does for a hardware
+ * selector (which VTK heeds only in renderers without a pass). A pixel row whose fragments do not
+ * fit into MaximumNumberOfBytes loses some: NumberOfDroppedFragments tells how many, and a warning
+ * whenever the number changes.
  *
  * @sa vtkDualDepthPeelingPass vtkOrderIndependentTranslucentPass vtkRenderStepsPass
  */
@@ -93,9 +94,9 @@ public:
   ///@}
 
   /**
-   * Number of fragments of the last picture that are missing in it, since those of their pixel row
-   * did not fit into MaximumNumberOfBytes, or since a prop drew more of them for storing than for
-   * counting.
+   * Number of fragments of the last picture that are missing in it: those of their pixel row did
+   * not fit into MaximumNumberOfBytes, or a prop drew more of them for storing than for counting,
+   * or software OpenGL (Mesa's llvmpipe) ended blending after 65535 fragments of a pixel.
    */
   vtkGetMacro(NumberOfDroppedFragments, vtkIdType);
 

@@ -10,6 +10,7 @@
 #define LINESETS_USE_OPENGL
 #include "vtkLineSetsCompatibilityPrivate.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -157,7 +158,9 @@ double vtkLineSetsSceneDepth::GetReadStep(vtkOpenGLRenderWindow* window)
   int type = GL_NONE;
   glGetFramebufferAttachmentParameteriv(
     GL_READ_FRAMEBUFFER, attachment, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
-  return type == GL_FLOAT ? 0.0 : 1.0 / (std::ldexp(1.0, bits) - 1.0);
+  // What is read is rounded to single precision, whatever the framebuffer holds.
+  const double single = std::ldexp(1.0, -23);
+  return type == GL_FLOAT ? 0.0 : std::max(1.0 / (std::ldexp(1.0, bits) - 1.0), single);
 }
 
 //------------------------------------------------------------------------------

@@ -35,8 +35,8 @@ public:
   static void GetReadOrigin(vtkOpenGLRenderWindow* window, const int viewport[4],
     const int tiledOrigin[2], int readOrigin[2]);
 
-  /// Smallest distance of two depths in the framebuffer bound for reading, 0 where it holds
-  /// floating point numbers.
+  /// Smallest distance of two depths that Read() and Copy() tell apart, 0 where the framebuffer
+  /// bound for reading holds the floating point numbers that were drawn.
   static double GetReadStep(vtkOpenGLRenderWindow* window);
 
   /// Read the depths of a rectangle, row by row from the bottom, 0 to 1.

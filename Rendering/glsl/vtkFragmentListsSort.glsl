@@ -2,44 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Sorts the fragments of a pixel where they lie, after vtkFragmentListsRead; see vtkFragmentLists.
-// Short lists get insertion sort in an array of the shader's own, others heap sort, whose steps may
-// be done in several draws: their number is known, and so is what each may take.
+// It is heap sort, whose steps may be done in several draws: their number is known, and so is what
+// each may take. Insertion sort of short lists is no gain, since neighbouring pixels, which are
+// worked on together, have lists of all lengths.
 
-// The steps of heap sort to do: first, end. Short lists are sorted in the draw that has step 0.
+// The steps to do: first, end.
 uniform ivec2 fragmentListSteps;
-
-const int ShortCount = 16;
-uvec4 shortList[ShortCount];
 
 // Nearer first; of equal depth, by payload: then no order of drawing is told from another.
 bool isFragmentBefore(uvec4 a, uvec4 b)
 {
   return a.x != b.x ? a.x < b.x
                     : (a.y != b.y ? a.y < b.y : (a.z != b.z ? a.z < b.z : a.w < b.w));
-}
-
-void sortShortList(int count)
-{
-  for (int i = 0; i < count; ++i)
-  {
-    uvec4 node = getFragment(i);
-    int k = i;
-    while (k > 0)
-    {
-      uvec4 other = shortList[k - 1];
-      if (!isFragmentBefore(node, other))
-      {
-        break;
-      }
-      shortList[k] = other;
-      --k;
-    }
-    shortList[k] = node;
-  }
-  for (int i = 0; i < count; ++i)
-  {
-    imageStore(fragmentListNodes, fragmentListFirst + i, shortList[i]);
-  }
 }
 
 // Puts a node where it belongs in the heap (no fragment is before its children) of count fragments,
@@ -71,8 +45,9 @@ void sinkFragment(uvec4 node, int index, int count)
 }
 
 // The first count / 2 steps make the heap; each further one takes the last fragment out of it.
-void sortLongList(int count)
+void main()
 {
+  int count = findFragments(ivec2(gl_FragCoord.xy));
   int parents = count / 2;
   int end = min(fragmentListSteps.y, parents + count - 1);
   for (int step = fragmentListSteps.x; step < end; ++step)
@@ -91,18 +66,5 @@ void sortLongList(int count)
       index = 0;
     }
     sinkFragment(node, index, size);
-  }
-}
-
-void main()
-{
-  int count = findFragments(ivec2(gl_FragCoord.xy));
-  if (count > ShortCount)
-  {
-    sortLongList(count);
-  }
-  else if (fragmentListSteps.x == 0)
-  {
-    sortShortList(count);
   }
 }

@@ -5,16 +5,20 @@
 #include "BenchmarkReport.h"
 #include "BenchmarkView.h"
 #include "ErrorRecorder.h"
+#include "OpacityJudge.h"
 #include "Scenes.h"
 
 #include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLookupTable.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
@@ -31,7 +35,7 @@ namespace
 {
 // Lines and their colours alone, so that all methods draw the same; vertex cells and polygons,
 // with normals, where there are no lines.
-vtkSmartPointer<vtkPolyData> KeepGeometry(vtkPolyData* input)
+vtkSmartPointer<vtkPolyData> KeepGeometry(vtkPolyData* input, vtkDataArray* scalars)
 {
   auto geometry = vtkSmartPointer<vtkPolyData>::New();
   geometry->SetPoints(input->GetPoints());
@@ -45,7 +49,6 @@ vtkSmartPointer<vtkPolyData> KeepGeometry(vtkPolyData* input)
     geometry->SetPolys(input->GetPolys());
     geometry->GetPointData()->SetNormals(input->GetPointData()->GetNormals());
   }
-  vtkDataArray* scalars = input->GetPointData()->GetScalars();
   const bool color = scalars && scalars->GetDataType() == VTK_UNSIGNED_CHAR &&
     (scalars->GetNumberOfComponents() == 3 || scalars->GetNumberOfComponents() == 4);
   if (scalars && (scalars->GetNumberOfComponents() == 1 || color))
@@ -66,11 +69,33 @@ void CheckOptionsOfLines(const BenchmarkOptions& options, vtkPolyData* geometry)
   {
     throw std::runtime_error("--animate moves lines, and " + options.Scene + " has none");
   }
-  if (options.Reference)
+  if (options.Reference &&
+    std::none_of(options.Methods.begin(), options.Methods.end(), IsOpacityMethod))
   {
-    throw std::runtime_error(
-      "--reference: exact pictures are of lines, and " + options.Scene + " has none");
+    throw std::runtime_error("--reference: exact pictures but those of opacity optimization are of "
+                             "lines, and " +
+      options.Scene + " has none");
   }
+}
+
+// From blue to red, with white-grey between.
+vtkSmartPointer<vtkLookupTable> MakeImportanceTable()
+{
+  constexpr int colors = 256;
+  vtkNew<vtkColorTransferFunction> function;
+  function->SetColorSpaceToDiverging();
+  function->AddRGBPoint(0.0, 59.0 / 255.0, 76.0 / 255.0, 192.0 / 255.0);
+  function->AddRGBPoint(1.0, 180.0 / 255.0, 4.0 / 255.0, 38.0 / 255.0);
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(colors);
+  table->SetRange(0.0, 1.0);
+  for (int i = 0; i < colors; ++i)
+  {
+    double color[3];
+    function->GetColor(i / (colors - 1.0), color);
+    table->SetTableValue(i, color[0], color[1], color[2]);
+  }
+  return table;
 }
 
 std::string GetRendererName(vtkRenderWindow* window)
@@ -111,7 +136,10 @@ void Benchmark::MakeInput()
   sceneOptions.Vertices = options.Vertices;
   sceneOptions.DataFolder = options.DataFolder;
   this->Input.Scene = named ? MakeScene(options.Scene, sceneOptions) : ReadScene(options.Scene);
-  this->Input.Geometry = KeepGeometry(this->Input.Scene);
+  const bool colored = options.Color == "importance";
+  this->Input.Geometry = KeepGeometry(this->Input.Scene,
+    colored ? GetImportance(this->Input) : this->Input.Scene->GetPointData()->GetScalars());
+  this->Input.ImportanceTable = MakeImportanceTable();
   if (!options.Opacities.ImportanceArray.empty())
   {
     GetImportance(this->Input); // a wrong name is told at once
@@ -131,7 +159,11 @@ void Benchmark::MakeInput()
   }
   this->Input.Radius = options.Radius > 0.0 ? options.Radius : longest / 512.0;
   vtkDataArray* scalars = this->Input.Geometry->GetPointData()->GetScalars();
-  if (scalars && scalars->GetNumberOfComponents() == 1)
+  if (colored)
+  {
+    this->Input.Table = this->Input.ImportanceTable;
+  }
+  else if (scalars && scalars->GetNumberOfComponents() == 1)
   {
     this->Input.Table = vtkSmartPointer<vtkLookupTable>::New();
     this->Input.Table->SetHueRange(0.667, 0.0);
@@ -165,9 +197,12 @@ void Benchmark::MakeWindow()
 //------------------------------------------------------------------------------
 double Benchmark::DrawFrame(BenchmarkMethod& method)
 {
-  for (BenchmarkEntry& entry : this->Entries)
+  vtkRendererCollection* renderers = this->Window->GetRenderers();
+  vtkCollectionSimpleIterator iterator;
+  renderers->InitTraversal(iterator);
+  while (vtkRenderer* renderer = renderers->GetNextRenderer(iterator))
   {
-    entry.Method->GetRenderer()->SetDraw(entry.Method.get() == &method);
+    renderer->SetDraw(renderer == method.GetRenderer());
   }
   const auto start = std::chrono::steady_clock::now();
   this->Window->Render();
@@ -250,21 +285,31 @@ void Benchmark::DrawTimedFrame(BenchmarkMethod& method)
 }
 
 //------------------------------------------------------------------------------
-void Benchmark::TakePicture(BenchmarkEntry& entry)
+void Benchmark::TakePicture(BenchmarkMethod& method, vtkImageData* picture, const std::string& name)
 {
-  this->DrawFrame(*entry.Method);
+  method.PrepareForPicture();
+  this->DrawFrame(method);
   vtkNew<vtkWindowToImageFilter> grabber;
   grabber->SetInput(this->Window);
   grabber->SetInputBufferTypeToRGB();
   grabber->ReadFrontBufferOff();
   grabber->ShouldRerenderOff();
   grabber->Update();
-  entry.Picture->DeepCopy(grabber->GetOutput());
+  picture->DeepCopy(grabber->GetOutput());
   const std::string& prefix = this->Input.Options.ImagePrefix;
-  if (!prefix.empty() && !WriteImage(entry.Picture, prefix + "-" + entry.Method->FileName + ".png"))
+  if (!prefix.empty() && !WriteImage(picture, prefix + "-" + name + ".png"))
   {
     throw std::runtime_error("cannot write the picture");
   }
+}
+
+//------------------------------------------------------------------------------
+void Benchmark::DrawReference(
+  BenchmarkMethod& method, vtkImageData* picture, const std::string& name)
+{
+  this->Window->AddRenderer(method.GetRenderer());
+  this->TakePicture(method, picture, name);
+  this->Window->RemoveRenderer(method.GetRenderer());
 }
 
 //------------------------------------------------------------------------------
@@ -312,13 +357,28 @@ void Benchmark::TakePictures()
   // Lines that move are where the last frame left them, so that who missed them is found out.
   PlaceCamera(this->Input, 0);
   PictureJudge judge(this->Input);
+  OpacityJudge opacityJudge(this->Input,
+    [this](BenchmarkMethod& method, vtkImageData* picture, const std::string& name)
+    { this->DrawReference(method, picture, name); });
   for (BenchmarkEntry& entry : this->Entries)
   {
-    this->Attempt(*entry.Method, "picture", [&] { this->TakePicture(entry); });
+    this->Attempt(*entry.Method, "picture",
+      [&] { this->TakePicture(*entry.Method, entry.Picture, entry.Method->FileName); });
   }
   for (BenchmarkEntry& entry : this->Entries)
   {
-    this->Attempt(*entry.Method, "reference", [&] { judge.Judge(entry); });
+    this->Attempt(*entry.Method, "reference",
+      [&]
+      {
+        if (IsOpacityMethod(entry.Method->Name))
+        {
+          opacityJudge.Judge(entry);
+        }
+        else
+        {
+          judge.Judge(entry);
+        }
+      });
   }
 }
 

@@ -18,6 +18,7 @@
 #include <string>     // For names
 #include <vector>     // For the methods
 
+class vtkImageData;
 class vtkRenderWindow;
 
 namespace linesets
@@ -45,7 +46,8 @@ private:
   void DrawFirstFrame(BenchmarkMethod& method);
   void DrawTimedFrame(BenchmarkMethod& method);
   void DrawTimedFrames();
-  void TakePicture(BenchmarkEntry& entry);
+  void TakePicture(BenchmarkMethod& method, vtkImageData* picture, const std::string& name);
+  void DrawReference(BenchmarkMethod& method, vtkImageData* picture, const std::string& name);
   void TakePictures();
   void JudgeOcclusions();
 

@@ -3,9 +3,11 @@
 #include "BenchmarkOptions.h"
 
 #include "BenchmarkMethod.h"
+#include "OpacityMethod.h"
 #include "Scenes.h"
 
 #include <ostream>
+#include <sstream>
 
 namespace linesets
 {
@@ -28,6 +30,24 @@ std::string Wrap(const std::vector<std::string>& names)
   return text;
 }
 
+// Scenes and their weights, as --weights takes them, with text about the others at the end.
+std::vector<std::string> GetWeightTexts()
+{
+  std::vector<std::string> texts;
+  const auto join = [](const std::array<double, 4>& weights)
+  {
+    std::ostringstream text;
+    text << weights[0] << "," << weights[1] << "," << weights[2] << "," << weights[3];
+    return text.str();
+  };
+  for (const OpacityMethod::SceneWeights& scene : OpacityMethod::GetSceneWeights())
+  {
+    texts.push_back(std::string("of ") + scene.Scene + " " + join(scene.Weights) + ",");
+  }
+  texts.push_back((texts.empty() ? "" : "of others ") + join(OpacityMethod::GetDefaultWeights()));
+  return texts;
+}
+
 void PrintOptions(std::ostream& out)
 {
   out << R"(linesets-bench SCENE [options]
@@ -38,7 +58,7 @@ SCENE or --scene SCENE   )"
       << Wrap(GetSceneNames()) << R"(,
                          or a file of lines, .vtp or .vtk, coloured by its active point scalars;
                          of a file without lines, its vertices and polygons. The method lines
-                         draws these, too; the others need lines
+                         and those of opacity optimization draw these, too; the others need lines
 --lines N --vertices N   size of a named scene, in place of its own. For points, --lines is the
                          number of points; for surfaces, that of the stream lines of each of the
                          20 surfaces
@@ -69,6 +89,14 @@ SCENE or --scene SCENE   )"
   illuminated-max        the same with maximum reflection
   illuminated-blinn      the same with Blinn's highlights
   illuminated-direct     the same without a table
+  fourier                vtkFourierOpacityMapper: opacity optimization, for importance from 0 to 1,
+                         with Fourier series; this and the next five draw lines, points and
+                         surfaces
+  fourier-paper          the same with the series and weights of the paper
+  bins                   the same with bins of depth in place of series for blending and importance
+  weighted-average       the same blended by the mean colour, weighted by opacity
+  weighted-blended       the same blended by the mean colour, weighted by opacity and depth
+  fragment-list          the same with all fragments sorted, for importance and blending: exact
 --engine LIST            of automatic native shader, for voxel methods (default automatic); each
                          gives an object of its own
 --resolution N           voxels along the longest side of the bounds, for voxel methods (default
@@ -89,6 +117,8 @@ SCENE or --scene SCENE   )"
 --line-width W           of lines and illuminated lines, and size of points, in pixels (default 1)
 --samples N              samples per pixel (default 0: no multisampling; for the plain pass only)
 --stretch                stretch the dynamic range of illuminated lines
+--color COLOR            scalars, or importance: from blue for 0 to red for 1 (default: importance
+                         for opacity optimization and scalars for the other methods)
 --plain                  draw lines in one colour on a dark background, in place of scalars on
                          white
 --importance NAME        array of the points, of one component, that tells opacity optimization what
@@ -96,16 +126,26 @@ SCENE or --scene SCENE   )"
                          importance, which all named scenes have, or else the active scalars)
 --bands M                frequencies of the Fourier series of opacity optimization, 1 to 16
                          (default 5)
---subset N               opacity optimization takes one of N cells for its series, 1 to 1000000
-                         (default 1: all)
+--subset N               opacity optimization takes one of N segments for its series, 1 to 10000
+                         (default 1: all); fragment-list takes all
 --smoothing N            steps by which optimized opacities are smoothed along the geometry, 0 to
                          1000 (default 15)
 --weights P,Q,R,LAMBDA   of the energy that opacity optimization minimizes: of opacity itself, of
                          what hides the important, and of clutter behind it, and the exponent that
                          emphasizes the important; p from 1e-6 to 1e6, q and r from 0 to 1e6,
-                         lambda from 1e-6 to 100 (default 1,50,50,2)
+                         lambda from 0.01 to 100 (default )"
+      << Wrap(GetWeightTexts()) << R"()
 --importance-sums SUMS   fourier (default), or exact: sums of importance over all fragments of a
-                         pixel, in the order of their depths
+                         pixel, in the order of their depths, as fragment-list has them
+--importance-reduction N importance is summed for one of N pixels of a row and of a column, 1 to 8
+                         (default 2)
+--depth-scale SCALE      linear (default) or logarithmic: how series and bins divide the depth
+--tight-depth SWITCH     on (default) or off: whether series and bins of a pixel's optical depth
+                         span only the depths that this pixel shows
+--opaque-threshold T     opacity from which on a fragment hides what is behind it, 0.5 to 1 (default
+                         0.98; above 0.9999 none does); fourier-paper and fragment-list have none
+--list-memory MIB        most memory for sorted fragments, 1 to 1048576 MiB (default 1024): what
+                         does not fit at once is drawn in strips
 --radius R               of the tubes in units of the data (default: 1/512 of the longest side
                          of the bounds, that is, half a voxel of 256)
 --opacity A              0 to 1 (default 1)
@@ -116,12 +156,15 @@ SCENE or --scene SCENE   )"
                          and in a slow swirl about the vertical axis, the same in each run. New
                          points, cells and arrays are made outside the times, and go through
                          each method's pipeline as lines that were never seen before: models and
-                         tubes are made again, lines are uploaded
+                         tubes are made again, lines are uploaded. Needs lines
 --threads N              of vtkSMPTools and of software OpenGL (default: all)
 --reference              also compare each picture of the first view with an exact one: keys rmse,
                          ssim. It has one ray per pixel, so that tubes thinner than a pixel, which
                          voxel draws by what they cover, differ from it. It has neither shadows
-                         nor occlusion, so methods that have are not compared
+                         nor occlusion, so methods that have are not compared. Needs lines,
+                         but methods of opacity optimization are compared with all fragments sorted, for any
+                         scene, in place of tubes: keys rmse, ssim with the same
+                         --importance-reduction, and rmse_full, ssim_full without
 --reference-decoded      for voxel, also with an exact picture of the model: key rmse_decoded
 --occlusion-reference    for voxel-occlusion and voxel-full, also compare the occlusion of voxels with
                          brute force, and time it: keys densities_ms to bias_occlusion_seen
@@ -139,19 +182,20 @@ void PrintKeys(std::ostream& out)
   out << R"(
 Keys: scene lines points polygons vertices method engine width height opacity radius light
 animated frames median_ms min_ms max_ms cpu_ms rebuild_ms draw_ms build_ms first_frame_ms
-model_bytes gpu_bytes segments drawn peels shadows shadow_level cone_angle occlusion
-occlusion_radius occlusion_samples rmse ssim rmse_decoded densities_ms occlusion_ms rmse_occlusion
+model_bytes gpu_bytes segments drawn importance importance_reduction bands subset weights smoothing
+sum_bytes fragments dropped depth_complexity peels shadows shadow_level cone_angle occlusion
+occlusion_radius occlusion_samples rmse ssim rmse_full ssim_full rmse_decoded densities_ms occlusion_ms rmse_occlusion
 bias_occlusion rmse_occlusion_lines bias_occlusion_lines rmse_occlusion_seen bias_occlusion_seen
-ratio_tubes ratio_peeling ratio_lines ratio_voxel renderer vtk threads error.
+ratio_tubes ratio_peeling ratio_lines ratio_fragment_list ratio_voxel renderer vtk threads error.
 Keys that do not apply are left out.
 
 Times are wall clock times of a frame until OpenGL has finished, but cpu_ms is the median of the
 processor time of all threads, which other programs disturb less; build_ms is the time to make the
-model or the tubes, first_frame_ms that of the first frame after it, with uploads and shaders.
+model, the tubes or, for opacity optimization, the segments and patches, first_frame_ms that of the first frame after it, with uploads and shaders.
 
 With --animate (animated is 1 then) median_ms, min_ms, max_ms and cpu_ms are of whole frames, from
 the new lines to the picture. rebuild_ms is the median of the part in which voxel methods made
-their model or tubes their triangles, draw_ms that of the rest of the frame; uploads and, where
+their model, tubes their triangles or opacity optimization its segments, draw_ms that of the rest of the frame; uploads and, where
 shadows or occlusion need them, levels and densities are in the rest. Lines are drawn as they are
 and have neither of the two.
 
@@ -164,9 +208,17 @@ length of all lines; those on lines compare interpolated values at these places 
 those seen at places under random pixels of the first view. Occlusions are in [0,1];
 the places are the same in each run.
 
+gpu_bytes of opacity optimization is what its textures and buffers take beside the geometry, and
+sum_bytes the part of it that holds sums of series or bins. fragments and dropped are told where
+fragments are sorted: their number in the last list, which is that of the importance where only that
+is exact, and those that did not fit. depth_complexity is the mean number of fragments of the pixels
+that have any, as fragment-list or the reference finds it. With --image, the exact pictures are
+written as PREFIX-opacity-reference.png and PREFIX-opacity-reference-full.png.
+
 drawn is the number of segments that illuminated lines drew after merging. gpu_bytes of tubes is
-computed from the arrays that VTK uploads. rmse is in [0,1]. ratio_tubes, ratio_peeling and
-ratio_lines are the median time of tubes, peeling or lines over that of the method. ratio_voxel of
+computed from the arrays that VTK uploads. rmse is in [0,1]. ratio_tubes, ratio_peeling,
+ratio_lines and ratio_fragment_list are the median time of tubes, peeling, lines or fragment-list
+over that of the method. ratio_voxel of
 a voxel method is the other way round, its median time over that of plain voxel with the same
 engine: what shadows and occlusion cost. The exit status is 0 if all went well, 1 if a method
 failed, which its object tells as "error", and 2 for a wrong command line.

@@ -3,6 +3,7 @@
 #include "BenchmarkMethod.h"
 
 #include "LineMethods.h"
+#include "OpacityMethod.h"
 #include "SceneImportance.h"
 #include "TubeMethod.h"
 #include "VoxelMethod.h"
@@ -86,6 +87,10 @@ std::vector<std::string> GetMethodNames()
   {
     names.push_back(name);
   }
+  for (const OpacityMethod::Variant& variant : OpacityMethod::GetVariants())
+  {
+    names.push_back(variant.Name);
+  }
   return names;
 }
 
@@ -96,9 +101,15 @@ bool IsVoxelMethod(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+bool IsOpacityMethod(const std::string& name)
+{
+  return OpacityMethod::FindVariant(name) != nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool DrawsLinesOnly(const std::string& name)
 {
-  return name != "lines";
+  return name != "lines" && !IsOpacityMethod(name);
 }
 
 //------------------------------------------------------------------------------
@@ -129,6 +140,10 @@ std::unique_ptr<BenchmarkMethod> MakeMethod(const std::string& name, const std::
   {
     method = std::make_unique<VoxelMethod>(name, engine);
     method->Engine = engine;
+  }
+  else if (IsOpacityMethod(name))
+  {
+    method = std::make_unique<OpacityMethod>(name);
   }
   else if (name == "line-tubes")
   {

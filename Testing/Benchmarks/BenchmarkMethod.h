@@ -15,6 +15,7 @@
 #include "vtkSmartPointer.h" // For members
 
 #include <chrono> // For times
+#include <limits> // For what is not known
 #include <memory> // For the factory
 #include <string> // For names
 #include <vector> // For times
@@ -53,11 +54,16 @@ struct BenchmarkInput
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   /// Null where the geometry has no colours of their own.
   vtkSmartPointer<vtkLookupTable> Table;
+  /// From blue for 0 to red for 1.
+  vtkSmartPointer<vtkLookupTable> ImportanceTable;
   double Radius = 0.0;
   double PixelRadius = 0.0; ///< the radius at the focal point, in pixels
   /// Tubes at rest, made by the first method that needs them, and the time that took.
   vtkSmartPointer<vtkPolyData> Tubes;
   double TubeMilliseconds = 0.0;
+  /// The same of the geometry with the segments of opacity optimization.
+  vtkSmartPointer<vtkPolyData> Segments;
+  double SegmentMilliseconds = 0.0;
 };
 
 class BenchmarkMethod
@@ -73,6 +79,9 @@ public:
   /// it made something else of them, NaN where they are drawn as they are.
   virtual double Update(BenchmarkInput& input) = 0;
 
+  /// Forget the frames before, where they change the next one.
+  virtual void PrepareForPicture() {}
+
   /// Add the keys that only this method has; after the last frame.
   virtual void Describe(JsonObject& object) = 0;
 
@@ -87,6 +96,8 @@ public:
   std::string FileName; ///< name that tells engines apart
   std::string Error;    ///< why it failed, or empty
   double BuildMilliseconds = 0.0;
+  /// Mean number of fragments of a pixel that has any; NaN where it is not known.
+  double DepthComplexity = std::numeric_limits<double>::quiet_NaN();
   double FirstFrameMilliseconds = 0.0;
   std::vector<double> FrameMilliseconds;
   std::vector<double> ProcessorMilliseconds; ///< of all threads, per frame
@@ -113,6 +124,9 @@ std::vector<std::string> GetMethodNames();
 
 /// Whether a method is drawn by vtkVoxelLineMapper, which has engines.
 bool IsVoxelMethod(const std::string& name);
+
+/// Whether a method is drawn by vtkFourierOpacityMapper.
+bool IsOpacityMethod(const std::string& name);
 
 /// Whether a method draws lines and nothing else.
 bool DrawsLinesOnly(const std::string& name);

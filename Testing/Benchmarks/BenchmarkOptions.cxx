@@ -158,12 +158,12 @@ std::array<double, 4> ToWeights(const std::string& text)
   {
     throw std::invalid_argument("--weights: " + text + " is not of the form P,Q,R,LAMBDA");
   }
-  // The energy has p and lambda above 0; numbers near 0 are as good as 0.
+  // As vtkOpacityOptimization has them.
   constexpr double least = 1e-6;
   constexpr double most = 1e6;
   return { { ToNumber("--weights, p", parts[0], least, most),
     ToNumber("--weights, q", parts[1], 0.0, most), ToNumber("--weights, r", parts[2], 0.0, most),
-    ToNumber("--weights, lambda", parts[3], least, 100.0) } };
+    ToNumber("--weights, lambda", parts[3], 0.01, 100.0) } };
 }
 
 using Setter = std::function<void(BenchmarkOptions&, const std::string&)>;
@@ -209,13 +209,33 @@ std::map<std::string, Setter> GetSetters()
     { "--occlusion-places",
       [](O& o, const S& v) { o.OcclusionPlaces = ToInt("--occlusion-places", v, 1, 1000000); } },
     { "--bands", [](O& o, const S& v) { o.Opacities.Bands = ToInt("--bands", v, 1, 16); } },
-    { "--subset", [](O& o, const S& v) { o.Opacities.Subset = ToInt("--subset", v, 1, 1000000); } },
+    { "--subset", [](O& o, const S& v) { o.Opacities.Subset = ToInt("--subset", v, 1, 10000); } },
     { "--smoothing",
       [](O& o, const S& v) { o.Opacities.Smoothing = ToInt("--smoothing", v, 0, 1000); } },
     { "--weights", [](O& o, const S& v) { o.Opacities.Weights = ToWeights(v); } },
     { "--importance-sums",
       [](O& o, const S& v) {
         o.Opacities.ImportanceSums = ToOneName("--importance-sums", v, { "fourier", "exact" });
+      } },
+    { "--importance-reduction",
+      [](O& o, const S& v)
+      { o.Opacities.ImportanceReduction = ToInt("--importance-reduction", v, 1, 8); } },
+    { "--depth-scale",
+      [](O& o, const S& v) {
+        o.Opacities.DepthScale = ToOneName("--depth-scale", v, { "linear", "logarithmic" });
+      } },
+    { "--tight-depth",
+      [](O& o, const S& v) {
+        o.Opacities.TightDepth = ToOneName("--tight-depth", v, { "on", "off" }) == "on";
+      } },
+    { "--opaque-threshold",
+      [](O& o, const S& v)
+      { o.Opacities.OpaqueThreshold = ToNumber("--opaque-threshold", v, 0.5, 1.0); } },
+    { "--list-memory",
+      [](O& o, const S& v) { o.Opacities.ListMemory = ToInt("--list-memory", v, 1, 1 << 20); } },
+    { "--color",
+      [](O& o, const S& v) {
+        o.Color = ToOneName("--color", v, { "scalars", "importance" });
       } },
     { "--importance",
       [](O& o, const S& v) { o.Opacities.ImportanceArray = ToGivenName("--importance", v); } },

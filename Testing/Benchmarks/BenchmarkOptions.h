@@ -8,10 +8,11 @@
 #ifndef BenchmarkOptions_h
 #define BenchmarkOptions_h
 
-#include <array>  // For weights
-#include <iosfwd> // For the help
-#include <string> // For names
-#include <vector> // For lists
+#include <array>    // For weights
+#include <iosfwd>   // For the help
+#include <optional> // For weights
+#include <string>   // For names
+#include <vector>   // For lists
 
 namespace linesets
 {
@@ -19,11 +20,17 @@ namespace linesets
 struct OpacityOptions
 {
   int Bands = 5;      ///< of the Fourier series, 1 to 16
-  int Subset = 1;     ///< one of so many cells is taken for the series, 1 to 1000000
+  int Subset = 1;     ///< one of so many segments is taken for the series, 1 to 10000
   int Smoothing = 15; ///< steps of smoothing of opacities along the geometry, 0 to 1000
-  /// p (above 0, to 1e6), q and r (0 to 1e6) and lambda (above 0, to 100) of the energy, Eq. 1.
-  std::array<double, 4> Weights = { { 1.0, 50.0, 50.0, 2.0 } };
+  /// p (1e-6 to 1e6), q and r (0 to 1e6) and lambda (0.01 to 100) of the energy, Eq. 1. Without,
+  /// those of the scene.
+  std::optional<std::array<double, 4>> Weights;
   std::string ImportanceSums = "fourier"; ///< or exact
+  int ImportanceReduction = 2;            ///< pixels of a side for a sum of importance, 1 to 8
+  std::string DepthScale = "linear";      ///< or logarithmic
+  bool TightDepth = true;                 ///< whether each pixel has its own range of depths
+  double OpaqueThreshold = 0.98;          ///< from which on fragments hide, 0.5 to 1
+  int ListMemory = 1024;                  ///< MiB, 1 to 1048576
   std::string ImportanceArray;            ///< empty: importance, or else the active scalars
 };
 
@@ -46,6 +53,7 @@ struct BenchmarkOptions
   double LineWidth = 1.0; ///< pixels
   int Samples = 0;        ///< per pixel
   bool Stretch = false;
+  std::string Color;  ///< scalars, importance, or empty: importance for opacity optimization alone
   bool Plain = false; ///< one colour on a dark background
   std::string Light = "headlight";
   int ShadowLevel = 1;           ///< of voxel-line-shadow, 1 to 12

@@ -93,6 +93,7 @@ void AddRatios(
   {
     AddFinite(object, "ratio_" + peer, GetPeerMedian(entries, peer) / median);
   }
+  AddFinite(object, "ratio_fragment_list", GetPeerMedian(entries, "fragment-list") / median);
   // The other way round: what shadows and occlusion cost.
   AddFinite(object, "ratio_voxel", median / GetPeerMedian(entries, "voxel", method.Engine));
 }
@@ -120,8 +121,11 @@ std::string DescribeEntry(const BenchmarkEntry& entry, const std::vector<Benchma
   {
     AddTimes(object, method);
     method.Describe(object);
+    AddFinite(object, "depth_complexity", method.DepthComplexity);
     AddFinite(object, "rmse", entry.Rmse);
     AddFinite(object, "ssim", entry.Ssim);
+    AddFinite(object, "rmse_full", entry.FullRmse);
+    AddFinite(object, "ssim_full", entry.FullSsim);
     AddFinite(object, "rmse_decoded", entry.DecodedRmse);
     AddOcclusion(object, entry.Occlusion);
     AddRatios(object, method, entries);

@@ -65,7 +65,8 @@ void PictureJudge::DrawExact(BenchmarkMethod& method)
 void PictureJudge::Judge(BenchmarkEntry& entry)
 {
   BenchmarkMethod& method = *entry.Method;
-  if (!method.Error.empty() || HasGlobalIllumination(method.Name))
+  if (!method.Error.empty() || HasGlobalIllumination(method.Name) ||
+    this->Input.Geometry->GetNumberOfLines() == 0)
   {
     return;
   }

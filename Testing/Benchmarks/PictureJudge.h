@@ -27,6 +27,9 @@ struct BenchmarkEntry
   vtkNew<vtkImageData> Picture;
   double Rmse = std::numeric_limits<double>::quiet_NaN();
   double Ssim = std::numeric_limits<double>::quiet_NaN();
+  /// Against the picture whose importance is summed for all pixels (OpacityJudge.h).
+  double FullRmse = std::numeric_limits<double>::quiet_NaN();
+  double FullSsim = std::numeric_limits<double>::quiet_NaN();
   double DecodedRmse = std::numeric_limits<double>::quiet_NaN();
   OcclusionMeasures Occlusion;
 };
@@ -37,8 +40,8 @@ public:
   /// The lines and the view of the pictures.
   explicit PictureJudge(const BenchmarkInput& input);
 
-  /// Compare a method's picture as the options ask. Pictures of methods with shadows or occlusion
-  /// are not: exact ones have neither.
+  /// Compare a method's picture of lines as the options ask. Pictures of methods with shadows or
+  /// occlusion are not: exact ones have neither.
   void Judge(BenchmarkEntry& entry);
 
 private:

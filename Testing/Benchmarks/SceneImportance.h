@@ -7,7 +7,7 @@
  *
  * That of a scene rises with a quantity of its own, such as the speed: 0 for the lower part of the
  * points, 1 for the uppermost ones, and a smooth step between, so that the share of important
- * points is the same whatever the size of the scene.
+ * geometry is the same whatever the size of the scene.
  */
 
 #ifndef SceneImportance_h
@@ -29,13 +29,13 @@ namespace linesets
 using Quantity = std::function<double(vtkIdType id, const double point[3])>;
 
 /**
- * Add the point array "importance" (float). It passes about 1/2 at the quantile 0.9 of the
- * quantity: it is 0 below the quantile 0.82 and 1 above 0.98, with a smooth step between these
- * two values. Where both are the same, so are the important points' quantities: they get 1.
+ * Add the point array "importance" (float): 0 below the quantile 0.76 of the quantity and 1 above
+ * 0.98, with a smooth step between these two values, so that about a tenth is above 1/2.
  *
- * `vertices` is the number of points of each line, where lines follow one another and `smoothings`
- * says how often a quantity is first replaced by the mean of its own, twice, and its neighbours'
- * on the line. The result does not depend on the number of threads.
+ * Lines have so many `vertices` each and follow one another; quantiles are then of their length,
+ * and `smoothings` is how often the quantity of a point is first replaced by the mean of its own,
+ * twice, and its neighbours' on the line. For points and surfaces, `vertices` is 0 and quantiles
+ * are of the points. The result does not depend on the number of threads.
  */
 void AddImportance(
   vtkPolyData* data, const Quantity& quantity, vtkIdType vertices = 0, int smoothings = 0);

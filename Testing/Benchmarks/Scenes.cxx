@@ -61,7 +61,8 @@ void MakeSpeedImportant(vtkPolyData* lines, int vertices)
 void MakeRiseImportant(vtkPolyData* lines, int vertices)
 {
   vtkDataArray* speeds = lines->GetPointData()->GetScalars();
-  AddImportance(lines,
+  AddImportance(
+    lines,
     [lines, speeds, vertices](vtkIdType id, const double*)
     {
       const vtkIdType first = id - id % vertices;
@@ -71,7 +72,8 @@ void MakeRiseImportant(vtkPolyData* lines, int vertices)
       lines->GetPoint(std::min(id + 1, first + vertices - 1), after);
       const double length = std::sqrt(vtkMath::Distance2BetweenPoints(before, after));
       return length > 0.0 ? speeds->GetComponent(id, 0) * (after[2] - before[2]) / length : 0.0;
-    });
+    },
+    vertices);
 }
 
 vtkSmartPointer<vtkPolyData> MakeTornado(const SceneOptions& options)
@@ -89,7 +91,8 @@ vtkSmartPointer<vtkPolyData> MakeTornado(const SceneOptions& options)
   trace.FewestSteps = trace.Vertices / 5;
   vtkSmartPointer<vtkPolyData> lines = TraceLines(TornadoField(), trace);
   AddImportance(
-    lines, [](vtkIdType, const double point[3]) { return -TornadoField::GetCoreDistance(point); });
+    lines, [](vtkIdType, const double point[3]) { return -TornadoField::GetCoreDistance(point); },
+    trace.Vertices);
   return lines;
 }
 
@@ -144,7 +147,8 @@ vtkSmartPointer<vtkPolyData> MakeLorenz(const SceneOptions& options)
   trace.Step = 0.01;
   vtkSmartPointer<vtkPolyData> lines = TraceLines(LorenzField(), trace);
   AddImportance(
-    lines, [](vtkIdType, const double point[3]) { return -std::hypot(point[0], point[1]); });
+    lines, [](vtkIdType, const double point[3]) { return -std::hypot(point[0], point[1]); },
+    trace.Vertices);
   return lines;
 }
 
@@ -217,7 +221,8 @@ vtkSmartPointer<vtkPolyData> MakeWater(const SceneOptions& options)
   trace.Attempts = 1;
   vtkSmartPointer<vtkPolyData> lines = TraceLines(WaterField(), trace);
   AddImportance(
-    lines, [](vtkIdType, const double point[3]) { return -WaterField::GetAtomDistance(point); });
+    lines, [](vtkIdType, const double point[3]) { return -WaterField::GetAtomDistance(point); },
+    trace.Vertices);
   return lines;
 }
 

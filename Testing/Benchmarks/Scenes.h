@@ -9,15 +9,12 @@
  * |---|---|---|---|
  * | tornado | 1000 x 250 | streamlines of the tornado of Crawfis and Max | near the core |
  * | carotid | 4700 x 410 | streamlines of blood flow, from carotid.vti | high speed |
- * | turbulence | 50 000 x 220 | streamlines that fill a cube of divergence-free turbulence | \
- * high speed |
+ * | turbulence | 50 000 x 220 | streamlines in a cube of divergence-free turbulence | high speed |
  * | forecast | 212 000 x 13 | path lines of an unsteady wind over a flat domain | updraft |
- * | lorenz | 10 000 x 250 | trajectories of the Lorenz attractor | where they part for one of the \
- * two lobes: near the z axis |
- * | water | 4098 x 216 | field lines of a water molecule, seeded on a subdivided sphere | near the
- * \ atoms | | points | 3 000 000 points | matter in a cosmic web (PointScene.h) | dense |
- * | surfaces | 20 x 200 x 250 | nested stream surfaces of the tornado, of 200 stream lines each \
- * (SurfaceScene.h) | near the core |
+ * | lorenz | 10 000 x 250 | trajectories of the Lorenz attractor | between the lobes: near z axis |
+ * | water | 4098 x 216 | field lines of a water molecule, from around the oxygen | near the atoms |
+ * | points | 3 000 000 points | matter that gathers in a cosmic web (PointScene.h) | dense |
+ * | surfaces | 20 of 200 x 250 | nested stream surfaces (SurfaceScene.h) | near the core |
  *
  * The counts are those of Kanzler et al., 2019, Table 1, for the first four, and, for water, close
  * to the 883 564 vertices of Mallo et al., 2005, Table 1; their data is not public. Points are of

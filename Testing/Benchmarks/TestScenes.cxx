@@ -24,6 +24,8 @@
 #include "vtkSMPTools.h"
 #include "vtkTriangle.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 using namespace linesets;
@@ -76,7 +78,11 @@ void CheckPointData(
   {
     return;
   }
-  vtkIdType important = 0;
+  // Of lines by length, of others by points.
+  const bool isLines = data->GetNumberOfLines() > 0;
+  double important = 0.0;
+  double all = 0.0;
+  double before[3] = { 0.0, 0.0, 0.0 };
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     double point[3];
@@ -86,9 +92,15 @@ void CheckPointData(
       name + ": finite points");
     const double value = importance->GetComponent(i, 0);
     checker.Check(value >= 0.0 && value <= 1.0, name + ": range of importance");
-    important += value > 0.5 ? 1 : 0;
+    const bool begins = isLines && i % options.Vertices == 0;
+    const double weight = !isLines ? 1.0
+      : begins                     ? 0.0
+                                   : std::sqrt(vtkMath::Distance2BetweenPoints(point, before));
+    std::copy_n(point, 3, before);
+    important += value > 0.5 ? weight : 0.0;
+    all += weight;
   }
-  const double share = static_cast<double>(important) / data->GetNumberOfPoints();
+  const double share = important / all;
   checker.Check(share > 0.03 && share < 0.25, name + ": important are " + std::to_string(share));
   const std::uint64_t hash = GetHash(data);
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "Sequential", false },
@@ -296,6 +308,37 @@ void CheckSurfaces(Checker& checker)
     [](vtkIdType id, const double*) { return -static_cast<double>(id); }); // from within outward
 }
 
+// A line of length 9 whose quantity rises from 0 to 1, and one of length 1 from 1 to 2: by length,
+// the quantile 0.76 is at 0.84 of the first and the quantile 0.98 at 0.8 of the second.
+void CheckQuantiles(Checker& checker)
+{
+  constexpr int vertices = 101;
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 2 * vertices; ++i)
+  {
+    const double along = (i % vertices) / 100.0;
+    points->InsertNextPoint(i < vertices ? 9.0 * along : along, i < vertices ? 0.0 : 1.0, 0.0);
+  }
+  data->SetPoints(points);
+  const Quantity rising = [](vtkIdType id, const double*)
+  { return (id % vertices) / 100.0 + (id < vertices ? 0.0 : 1.0); };
+  AddImportance(data, rising, vertices);
+  vtkDataArray* importance = data->GetPointData()->GetArray("importance");
+  const auto get = [&importance](vtkIdType id) { return importance->GetComponent(id, 0); };
+  checker.Check(get(83) == 0.0 && get(86) > 0.0 && get(100) > get(86), "low quantile of length");
+  checker.Check(get(vertices + 78) < 1.0 && get(vertices + 82) == 1.0, "high quantile of length");
+  // An alternating part goes with smoothing, but at the ends of a line.
+  const Quantity alternating = [&rising](vtkIdType id, const double* point)
+  { return rising(id, point) + (id % 2 == 0 ? 0.3 : -0.3); };
+  AddImportance(data, alternating, vertices, 16);
+  importance = data->GetPointData()->GetArray("importance");
+  for (int i = 20; i + 20 < vertices; ++i)
+  {
+    checker.Check(get(vertices + i) >= get(vertices + i - 1), "smoothing");
+  }
+}
+
 void CheckImportanceOfData(Checker& checker)
 {
   vtkNew<vtkPolyData> data;
@@ -332,7 +375,7 @@ void CheckImportanceOfData(Checker& checker)
   vectors->SetName("vectors");
   vectors->SetNumberOfComponents(3);
   vectors->SetNumberOfTuples(3);
-  vectors->Fill(std::nan(""));
+  vectors->Fill(0.5);
   data->GetPointData()->AddArray(vectors);
   vtkNew<vtkDoubleArray> gaps;
   gaps->SetName("gaps");
@@ -420,6 +463,7 @@ int TestScenes(int argc, char* argv[])
     "default counts");
   CheckPoints(checker);
   CheckSurfaces(checker);
+  CheckQuantiles(checker);
   CheckImportanceOfData(checker);
   CheckDivergence(checker);
   bool thrown = false;

@@ -151,8 +151,8 @@ struct ListStage : Stage
 /// The squares from front to back over a colour, in double precision and units of a byte.
 inline Point Blend(std::vector<Square> squares, const std::array<int, 3>& background)
 {
-  std::stable_sort(squares.begin(), squares.end(),
-    [](const Square& a, const Square& b) { return a.Z < b.Z; });
+  std::stable_sort(
+    squares.begin(), squares.end(), [](const Square& a, const Square& b) { return a.Z < b.Z; });
   Point color{ static_cast<double>(background[0]), static_cast<double>(background[1]),
     static_cast<double>(background[2]) };
   for (const Square& square : squares)
@@ -175,6 +175,42 @@ inline bool IsExact(const std::array<int, 3>& color, const Point& expected, doub
     isExact = isExact && std::abs(color[k] - expected[k]) <= tolerance;
   }
   return isExact;
+}
+
+/// A byte is rounded once; what comes before has an error far below that.
+constexpr double Tolerance = 1.0;
+
+inline std::string Describe(const Point& color)
+{
+  std::ostringstream text;
+  text << " (" << color[0] << " " << color[1] << " " << color[2] << ")";
+  return text.str();
+}
+
+inline void CheckMiddle(Checks& check, const std::string& name, ListStage& stage,
+  const std::vector<Square>& squares, const std::array<int, 3>& background = Background)
+{
+  const Picture picture = stage.Render();
+  const Point expected = Blend(squares, background);
+  for (int x : { 20, 30, 40 })
+  {
+    const auto color = picture.At(x, 30);
+    check(IsExact(color, expected, Tolerance),
+      name + ": " + VoxelLineMapperTesting::Describe(color) + " instead of" + Describe(expected));
+  }
+  check(picture.At(4, 4) == Background, name + ": beside the squares");
+}
+
+inline void CheckStatistics(Checks& check, const std::string& name, vtkFragmentListPass* pass,
+  vtkIdType layers, vtkIdType pixels)
+{
+  check(pass->GetNumberOfFragments() == layers * pixels,
+    name + ": number of fragments " + std::to_string(pass->GetNumberOfFragments()));
+  check(pass->GetLargestDepthComplexity() == (pixels > 0 ? layers : 0),
+    name + ": largest depth complexity " + std::to_string(pass->GetLargestDepthComplexity()));
+  check(pass->GetMeanDepthComplexity() == static_cast<double>(pixels > 0 ? layers : 0),
+    name + ": mean depth complexity " + std::to_string(pass->GetMeanDepthComplexity()));
+  check(pass->GetNumberOfDroppedFragments() == 0, name + ": nothing is dropped");
 }
 }
 
