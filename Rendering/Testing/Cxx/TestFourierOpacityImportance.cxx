@@ -10,6 +10,8 @@
 #include "FourierOpacityTesting.h"
 #include "vtkFourierOpacityVertices.h"
 
+#include <limits>
+
 using namespace FourierOpacityTesting;
 
 namespace
@@ -401,6 +403,31 @@ void CheckArrays(Checks& check)
     data->Modified();
     check(vertices.Update(data, settings), name + ": is made anew for another input");
   }
+
+  // What is not a number is unimportant, for points and cells.
+  const double nan = vtkMath::Nan();
+  const double infinity = std::numeric_limits<double>::infinity();
+  data->GetPointData()->AddArray(makeArray("bad points", 1, { nan, infinity, 1.0, 3.0 }));
+  data->GetCellData()->AddArray(makeArray("bad cells", 1, { nan, 1.0 }));
+  const std::pair<const char*, std::array<double, 4>> bad[] = {
+    { "bad points", { 0, 0, 0.25, 0.75 } }, { "bad cells", { 0.0, 0.25, 0.25, 0.25 } }
+  };
+  for (const auto& test : bad)
+  {
+    vtkFourierOpacityVertices vertices;
+    vtkFourierOpacityVertices::Settings settings;
+    settings.ArrayName = test.first;
+    settings.Range[0] = 0.0;
+    settings.Range[1] = 4.0;
+    vertices.Update(data, settings);
+    check(vertices.GetWarnings().size() == 1, settings.ArrayName + ": one warning");
+    for (int i = 0; i < 4; ++i)
+    {
+      check(vertices.GetImportance()->GetValue(i) == test.second[i],
+        settings.ArrayName + ": point " + std::to_string(i) + " has " +
+          std::to_string(vertices.GetImportance()->GetValue(i)));
+    }
+  }
 }
 
 // Mean of a value and the mean of its neighbours on a line, so many times.
@@ -478,6 +505,79 @@ void CheckSmoothing(Checks& check)
     }
   }
 }
+
+// A line, or a strip of squares, in front of an important one fades alike everywhere, however many
+// of its segments lie between two of its points, or have no fragment that counts as theirs.
+void CheckCoarse(Checks& check)
+{
+  for (bool isSurface : { false, true })
+  {
+    for (int segments : { 2, 6, 50, 50000 })
+    {
+      for (int columns : { 2, 5, 60 })
+      {
+        std::vector<Curve> curves(isSurface ? 4 : 2);
+        for (int i = 0; i < columns; ++i)
+        {
+          for (std::size_t k = 0; k < curves.size(); ++k)
+          {
+            const bool isFront = 2 * k < curves.size();
+            curves[k].push_back({ -0.9 + 1.8 * i / (columns - 1),
+              isSurface ? (k % 2 == 0 ? -0.3 : 0.3) : -0.15, isFront ? 0.5 : -0.5 });
+          }
+        }
+        if (!isSurface)
+        {
+          curves[1] = curves[0];
+          for (Point& point : curves[1])
+          {
+            point[2] = -0.5;
+          }
+        }
+        auto data = MakeLines(curves);
+        if (isSurface)
+        {
+          vtkNew<vtkCellArray> squares;
+          for (vtkIdType first : { 0, 2 * columns })
+          {
+            for (vtkIdType i = first; i < first + columns - 1; ++i)
+            {
+              squares->InsertNextCell({ i, i + 1, i + 1 + columns, i + columns });
+            }
+          }
+          data->SetLines(nullptr);
+          data->SetPolys(squares);
+        }
+        vtkNew<vtkFloatArray> importance;
+        importance->SetName("Importance");
+        vtkNew<vtkUnsignedCharArray> colors;
+        colors->SetNumberOfComponents(3);
+        for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+        {
+          const bool isFront = 2 * i < data->GetNumberOfPoints();
+          importance->InsertNextValue(isFront ? 0.0f : 1.0f);
+          const double grey = isFront ? 255.0 : 0.0;
+          colors->InsertNextTuple3(grey, grey, grey);
+        }
+        data->GetPointData()->SetScalars(colors);
+        data->GetPointData()->AddArray(importance);
+
+        Scene scene;
+        scene.Mapper->SetNumberOfLineSegments(segments);
+        scene.Mapper->SetNumberOfPatches(segments);
+        const Picture picture = scene.Render(data);
+        for (int x : { 5, 20, 32, 44, 58 })
+        {
+          const int grey = picture.At(x, 27)[0];
+          check(std::abs(grey - 255.0 / 51.0) < Tolerance,
+            std::string(isSurface ? "surface" : "line") + " of " + std::to_string(columns) +
+              " points and " + std::to_string(segments) + " segments: grey " +
+              std::to_string(grey));
+        }
+      }
+    }
+  }
+}
 }
 
 int TestFourierOpacityImportance(int, char*[])
@@ -490,5 +590,6 @@ int TestFourierOpacityImportance(int, char*[])
   }
   CheckArrays(check);
   CheckSmoothing(check);
+  CheckCoarse(check);
   return check.GetResult();
 }
