@@ -15,6 +15,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 #include "vtkVoxelLineAccumulator.h"
 
@@ -796,7 +797,11 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
   }
   if (this->Window && this->Window != window)
   {
-    this->ReleaseGraphicsResources(this->Window);
+    vtkSmartPointer<vtkOpenGLRenderWindow> other = this->Window.GetPointer();
+    other->PushContext();
+    this->ReleaseGraphicsResources(other);
+    other->PopContext();
+    window->MakeCurrent();
   }
   this->Window = window;
 
