@@ -79,6 +79,46 @@ private:
 #endif
 };
 
+/// What is bound to an image unit; it is bound again when this ends.
+class SavedImageUnit
+{
+public:
+  explicit SavedImageUnit(unsigned int unit)
+    : Unit(unit)
+    , Name(Get(GL_IMAGE_BINDING_NAME))
+    , Level(Get(GL_IMAGE_BINDING_LEVEL))
+    , IsLayered(Get(GL_IMAGE_BINDING_LAYERED))
+    , Layer(Get(GL_IMAGE_BINDING_LAYER))
+    , Access(Get(GL_IMAGE_BINDING_ACCESS))
+    , Format(Get(GL_IMAGE_BINDING_FORMAT))
+  {
+  }
+  ~SavedImageUnit()
+  {
+    glBindImageTexture(this->Unit, static_cast<GLuint>(this->Name), this->Level,
+      this->IsLayered ? GL_TRUE : GL_FALSE, this->Layer, static_cast<GLenum>(this->Access),
+      static_cast<GLenum>(this->Format));
+  }
+  SavedImageUnit(const SavedImageUnit&) = delete;
+  void operator=(const SavedImageUnit&) = delete;
+
+private:
+  int Get(GLenum which) const
+  {
+    int value = 0;
+    glGetIntegeri_v(which, this->Unit, &value);
+    return value;
+  }
+
+  unsigned int Unit;
+  int Name;
+  int Level;
+  int IsLayered;
+  int Layer;
+  int Access;
+  int Format;
+};
+
 /// Textures that programs read, until Clear().
 class ActiveTextures
 {
@@ -457,6 +497,7 @@ std::string vtkFourierOpacityPainter::FindOpacities(Frame& frame)
   {
     return error;
   }
+  const SavedImageUnit savedUnit(SmallestUnit);
   glBindImageTexture(
     SmallestUnit, this->Smallest.GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
   frame.Textures.Add("fourierScene", frame.Scene);
@@ -485,7 +526,6 @@ std::string vtkFourierOpacityPainter::FindOpacities(Frame& frame)
   }
   frame.Textures.Clear();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glBindImageTexture(SmallestUnit, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
   if (!error.empty())
   {
     return error;
