@@ -948,6 +948,11 @@ const std::vector<float>& vtkFourierOpacityPainter::GetOpacities() const
 //------------------------------------------------------------------------------
 void vtkFourierOpacityPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
+  // A mapper that meets a new window in the middle of a picture leaves the old one then.
+  if (window && this->Window && window != this->Window.GetPointer())
+  {
+    return;
+  }
   this->Targets.ReleaseGraphicsResources(window);
   this->SceneDepth.ReleaseGraphicsResources(window);
   for (const std::unique_ptr<View>& view : this->Views)
