@@ -53,7 +53,10 @@ void CheckState(Checks& check, const Method& method)
 // Sums of 1 to 16 bands: on this device there are at most 8 targets of a draw, or more elsewhere.
 void CheckBands(Checks& check)
 {
-  const std::vector<Square> squares = MakeSquares(12, 30, 150);
+  std::vector<Square> squares = MakeSquares(12, 5, 40);
+  // What is in the last of any number of bins is seen.
+  squares.back().Z = GetZ(0.995);
+  squares.back().Color = { 255, 255, 255, 150 };
   for (int method : { Optimization::Fourier, Optimization::PaperFourier, Optimization::Bins })
   {
     OpacityStage stage(16, 16);
