@@ -84,6 +84,10 @@ void CheckElements(Checks& check)
   elements.SetGroups({ first, second });
   elements.Update(std::vector<float>(5, notSeen), 0, 15, 1.0);
   check(IsNearly(elements.GetOpacities(), { 0.2, 0.8, 0.5, 1.0, 1.0 }), "another group");
+  second.BuildTime = 3;
+  elements.SetGroups({ first, second });
+  elements.Update({ notSeen, notSeen, notSeen, 0.5f, notSeen }, 0, 15, 0.5);
+  check(IsNearly(elements.GetOpacities(), { 0.2, 0.8, 0.5, 0.5, 1.0 }), "made anew, at once");
   // Neighbours in pairs share a place.
   elements.Update({ 0.1f, 0.3f, 0.9f }, 1, 0, 1.0);
   check(IsNearly(elements.GetOpacities(), { 0.1, 0.1, 0.3, 0.3, 0.9 }), "shared places");
@@ -125,6 +129,7 @@ void CheckJumps(Checks& check)
       false },
     { "a large turn", [](Stage& s) { s.Renderer->GetActiveCamera()->Azimuth(25.0); }, true },
     { "a large zoom", [](Stage& s) { s.Renderer->GetActiveCamera()->Zoom(2.0); }, true },
+    { "a large zoom out", [](Stage& s) { s.Renderer->GetActiveCamera()->Zoom(0.5); }, true },
     { "another size", [](Stage& s) { s.Window->SetSize(40, 32); }, true },
     { "another projection",
       [](Stage& s) { s.Renderer->GetActiveCamera()->ParallelProjectionOff(); }, true },
