@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -145,6 +146,70 @@ bool vtkOpacitySmoothing::Smooth(
       vtkSMPTools::For(0, numberOfRuns, RunsPerTask, smooth);
     }
     out.swap(this->Buffer);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpacitySmoothing::Fill(
+  const std::vector<unsigned char>& hasValue, std::vector<float>& values) const
+{
+  const auto size = static_cast<std::size_t>(this->NumberOfSegments);
+  if (hasValue.size() != size || values.size() != size)
+  {
+    return false;
+  }
+  // Breadth first: the step in which a segment gets its value, 0 for those that have one.
+  constexpr int never = std::numeric_limits<int>::max();
+  std::vector<int> steps(size, never);
+  std::vector<int> front;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    if (hasValue[i])
+    {
+      steps[i] = 0;
+      front.push_back(static_cast<int>(i));
+    }
+  }
+  if (front.size() == size)
+  {
+    return true;
+  }
+  std::vector<int> next;
+  for (int step = 1; !front.empty(); ++step)
+  {
+    next.clear();
+    for (int segment : front)
+    {
+      const auto i = static_cast<std::size_t>(segment);
+      for (vtkIdType j = this->Offsets[i]; j < this->Offsets[i + 1]; ++j)
+      {
+        const int neighbor = this->Neighbors[static_cast<std::size_t>(j)];
+        if (steps[static_cast<std::size_t>(neighbor)] == never)
+        {
+          steps[static_cast<std::size_t>(neighbor)] = step;
+          next.push_back(neighbor);
+        }
+      }
+    }
+    for (int segment : next)
+    {
+      const auto i = static_cast<std::size_t>(segment);
+      float sum = 0.0f;
+      int count = 0;
+      for (vtkIdType j = this->Offsets[i]; j < this->Offsets[i + 1]; ++j)
+      {
+        const auto neighbor =
+          static_cast<std::size_t>(this->Neighbors[static_cast<std::size_t>(j)]);
+        if (steps[neighbor] == step - 1)
+        {
+          sum += values[neighbor];
+          ++count;
+        }
+      }
+      values[i] = sum / static_cast<float>(count);
+    }
+    front.swap(next);
   }
   return true;
 }

@@ -40,6 +40,13 @@ public:
   bool Smooth(const std::vector<float>& in, int iterations, std::vector<float>& out);
 
   /**
+   * Give each segment that has no value yet, but a way along neighbours to one that has, the mean
+   * of its neighbours that are nearest to such a one. The others keep what they have. Returns
+   * whether the sizes fitted.
+   */
+  bool Fill(const std::vector<unsigned char>& hasValue, std::vector<float>& values) const;
+
+  /**
    * Fraction of the way from the shown value to its goal that a frame goes which takes this long:
    * 1 - 20^(-seconds / transition time). After the transition time, 95 % of the way is done,
    * whatever the length of the frames. 1 without a transition time, 0 where no time passes.

@@ -37,6 +37,7 @@ void vtkFourierOpacityElements::SetGroups(const std::vector<vtkFourierOpacityGro
       state->Source = group;
       state->Seen.assign(static_cast<std::size_t>(group.Count), 1.0f);
       state->Shown = state->Seen;
+      state->WasSeen.assign(state->Seen.size(), 0);
       if (group.Neighbors && group.Neighbors->GetNumberOfTuples() > 0)
       {
         state->Smoothing = std::make_unique<vtkOpacitySmoothing>();
@@ -70,8 +71,13 @@ void vtkFourierOpacityElements::Update(
         {
           const float value = smallest[static_cast<std::size_t>((first + i) >> shift)];
           seen[i] = value <= 1.0f ? value : seen[i];
+          state->WasSeen[i] = value <= 1.0f ? 1 : state->WasSeen[i];
         }
       });
+    if (state->Smoothing)
+    {
+      state->Smoothing->Fill(state->WasSeen, seen);
+    }
     const bool smoothed = state->Smoothing && iterations > 0;
     if (smoothed)
     {

@@ -5,8 +5,9 @@
  * @brief   opacities of the elements of all mappers that are drawn together, over the frames
  *
  * Of each element it keeps the smallest opacity of its fragments in the last frame in which it was
- * seen, 1 before that. These are smoothed over neighbours, and the result may follow them in
- * time. One object serves one view.
+ * seen. One that was never seen, as those between the points of a coarse line, has that of the
+ * nearest ones that were, or is opaque where there is none. These are smoothed over neighbours, and
+ * the result may follow them in time. One object serves one view.
  */
 
 #ifndef vtkFourierOpacityElements_h
@@ -68,6 +69,7 @@ private:
     vtkIdType First = 0;
     std::unique_ptr<vtkOpacitySmoothing> Smoothing;
     std::vector<float> Seen;
+    std::vector<unsigned char> WasSeen;
     std::vector<float> Shown;
     bool IsNew = true;
   };

@@ -386,6 +386,21 @@ void vtkFourierOpacityMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
 }
 
 //------------------------------------------------------------------------------
+bool vtkFourierOpacityMapper::HasHalo(vtkActor* actor)
+{
+  return this->Internals->Stage && this->Internals->Stage->HaloWidth > 0.0 &&
+    this->LastBoundBO == &this->Primitives[PrimitiveLines] &&
+    actor->GetProperty()->GetRepresentation() != VTK_POINTS &&
+    !actor->GetProperty()->GetRenderLinesAsTubes();
+}
+
+//------------------------------------------------------------------------------
+bool vtkFourierOpacityMapper::HaveWideLines(vtkRenderer* renderer, vtkActor* actor)
+{
+  return this->HasHalo(actor) || this->Superclass::HaveWideLines(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
 bool vtkFourierOpacityMapper::GetNeedToRebuildShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
 {
@@ -406,7 +421,8 @@ void vtkFourierOpacityMapper::ReplaceShaderValues(
   if (this->Internals->Stage)
   {
     vtkFourierOpacityShader::Insert(shaders, *this->Internals->Stage,
-      this->Internals->Vertices.GetElements() != nullptr, HasLateOpacity(actor));
+      this->Internals->Vertices.GetElements() != nullptr, HasLateOpacity(actor),
+      this->HasHalo(actor));
   }
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
 }
@@ -431,6 +447,51 @@ void vtkFourierOpacityMapper::SetMapperShaderParameters(
   if (this->Internals->Stage && this->Internals->Stage->SetParameters)
   {
     this->Internals->Stage->SetParameters(cellBO.Program);
+  }
+  if (this->Internals->Stage && cellBO.Program->IsUniformUsed("fourierCoverage"))
+  {
+    cellBO.Program->SetUniformf("fourierCoverage", this->GetCoverage(cellBO, actor));
+  }
+  if (this->HasHalo(actor))
+  {
+    this->SetHaloParameters(cellBO.Program, renderer, actor);
+  }
+}
+
+//------------------------------------------------------------------------------
+float vtkFourierOpacityMapper::GetCoverage(vtkOpenGLHelper& cellBO, vtkActor* actor)
+{
+  const float part = 1.0f / static_cast<float>(this->Internals->Stage->Reduction);
+  const int representation = actor->GetProperty()->GetRepresentation();
+  if (&cellBO == &this->Primitives[PrimitivePoints] || representation == VTK_POINTS)
+  {
+    return part * part;
+  }
+  return &cellBO == &this->Primitives[PrimitiveLines] || representation == VTK_WIREFRAME ? part
+                                                                                         : 1.0f;
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::SetHaloParameters(
+  vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor)
+{
+  const vtkFourierOpacityStage& stage = *this->Internals->Stage;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  int viewport[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const float line = actor->GetProperty()->GetLineWidth();
+  const auto halo = static_cast<float>(stage.HaloWidth);
+  const float width[2] = { 2.0f * (line + 2.0f * halo) / static_cast<float>(viewport[2]),
+    2.0f * (line + 2.0f * halo) / static_cast<float>(viewport[3]) };
+  program->SetUniform2f("lineWidthNVC", width);
+  const float extent[3] = { 0.5f * line, halo, static_cast<float>(stage.HaloDepth) };
+  program->SetUniform3f("fourierHalo", extent);
+  if (program->IsUniformUsed("fourierHaloColor"))
+  {
+    const double* background = renderer->GetBackground();
+    const float color[3] = { static_cast<float>(background[0]), static_cast<float>(background[1]),
+      static_cast<float>(background[2]) };
+    program->SetUniform3f("fourierHaloColor", color);
   }
 }
 

@@ -57,6 +57,7 @@ class vtkFourierOpacityPainter;
 struct vtkFourierOpacityGroup;
 struct vtkFourierOpacityStage;
 class vtkOpacityOptimization;
+class vtkShaderProgram;
 
 class VTKRENDERINGLINESETS_EXPORT vtkFourierOpacityMapper : public vtkIlluminatedLineMapper
 {
@@ -150,6 +151,7 @@ protected:
   ~vtkFourierOpacityMapper() override;
 
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
+  bool HaveWideLines(vtkRenderer* renderer, vtkActor* actor) override;
   bool GetNeedToRebuildShaders(
     vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderValues(
@@ -178,6 +180,9 @@ private:
     vtkRenderer* renderer, vtkActor* actor, const vtkFourierOpacityStage& stage, bool byActor);
   /// Whose last picture tells what a selection leaves out.
   void SetSelectionPainter(const std::shared_ptr<vtkFourierOpacityPainter>& painter);
+  float GetCoverage(vtkOpenGLHelper& cellBO, vtkActor* actor);
+  bool HasHalo(vtkActor* actor);
+  void SetHaloParameters(vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor);
   void RenderSelection(vtkRenderer* renderer, vtkActor* actor);
   void RenderAlone(vtkRenderer* renderer, vtkActor* actor);
 

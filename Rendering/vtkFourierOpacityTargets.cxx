@@ -155,6 +155,9 @@ void vtkFourierOpacityTargets::Bind(
   {
     this->Framebuffer->RemoveDepthAttachment();
   }
+  // VTK's state takes draw buffers after the first one for those of the framebuffer bound before, and
+  // would not set what it takes for set.
+  this->Framebuffer->DeactivateDrawBuffers();
   this->Framebuffer->ActivateDrawBuffers(count);
 }
 

@@ -1,0 +1,595 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Guards the optimized opacity of blades, lines and points, read from pixels in which nothing else
+// is drawn, against Eq. 2 in double precision, pixel by pixel: the smallest fragment of an element
+// counts. With sums by each series and exact ones, importance 0 and 1 everywhere, weights at their
+// ends, and subsets. Guards how arrays become importance, and that opacity is smoothed along a line
+// and nowhere else.
+
+#include "FourierOpacityTesting.h"
+#include "vtkFourierOpacityVertices.h"
+
+#include <limits>
+
+using namespace FourierOpacityTesting;
+
+namespace
+{
+constexpr int Size = 64;
+
+// Opacities are rounded to bytes with the picture.
+constexpr double Tolerance = 1.6;
+
+/// An element: what it covers, in units of the view (-1 to 1), and a place where it is alone.
+struct Shape
+{
+  double Depth = 0.0;
+  double Importance = 0.0;
+  std::function<bool(double, double)> Covers;
+  double Alone[2] = { 0.0, 0.0 };
+};
+
+enum Kind
+{
+  Blades,
+  Lines,
+  Points
+};
+constexpr const char* KindNames[] = { "blades", "lines", "points" };
+
+constexpr double HalfWidth = 0.11;
+constexpr double HalfLength = 0.9;
+
+// Blades and lines cross in the middle of the view; points are squares that overlap in a row.
+std::vector<Shape> MakeShapes(Kind kind, const std::vector<double>& importance, int seed)
+{
+  Random random(seed);
+  std::vector<Shape> shapes(importance.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+  {
+    Shape& shape = shapes[i];
+    shape.Depth = random(0.02, 0.98);
+    shape.Importance = importance[i];
+    if (kind == Points)
+    {
+      // Pixels 12 + 5 i to 27 + 5 i.
+      const double low = -1.0 + (8.0 + 5.0 * i) / 32.0;
+      const double high = low + 15.0 / 32.0;
+      shape.Covers = [low, high](double x, double y)
+      { return x > low && x < high && y > low && y < high; };
+      shape.Alone[0] = low + 2.0 / 32.0;
+      shape.Alone[1] = high - 2.0 / 32.0;
+      continue;
+    }
+    const double angle = vtkMath::Pi() * (static_cast<double>(i) + 0.25) / shapes.size();
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    shape.Covers = [c, s](double x, double y)
+    { return std::abs(c * x + s * y) < HalfLength && std::abs(c * y - s * x) < HalfWidth; };
+    shape.Alone[0] = 0.8 * c;
+    shape.Alone[1] = 0.8 * s;
+  }
+  return shapes;
+}
+
+/// Shapes and two elements outside of the view at the ends of the depth, white.
+vtkSmartPointer<vtkPolyData> MakeData(Kind kind, const std::vector<Shape>& shapes, bool onCells)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkFloatArray> ofPoints;
+  vtkNew<vtkFloatArray> ofCells;
+  ofPoints->SetName("Importance");
+  ofCells->SetName("Importance");
+  const auto add = [&](const std::vector<Point>& corners, double importance)
+  {
+    cells->InsertNextCell(static_cast<int>(corners.size()));
+    for (const Point& corner : corners)
+    {
+      cells->InsertCellPoint(points->InsertNextPoint(corner.data()));
+      ofPoints->InsertNextValue(static_cast<float>(importance));
+    }
+    ofCells->InsertNextValue(static_cast<float>(importance));
+  };
+  for (const Shape& shape : shapes)
+  {
+    const double z = GetZ(shape.Depth);
+    const double c = shape.Alone[0] / 0.8;
+    const double s = shape.Alone[1] / 0.8;
+    const double a = HalfLength;
+    const double b = kind == Blades ? HalfWidth : 0.0;
+    switch (kind)
+    {
+      case Blades:
+        add({ { -a * c + b * s, -a * s - b * c, z }, { a * c + b * s, a * s - b * c, z },
+              { a * c - b * s, a * s + b * c, z }, { -a * c - b * s, -a * s + b * c, z } },
+          shape.Importance);
+        break;
+      case Lines:
+        add({ { -a * c, -a * s, z }, { a * c, a * s, z } }, shape.Importance);
+        break;
+      default:
+        add({ { shape.Alone[0] + 5.5 / 32.0, shape.Alone[1] - 5.5 / 32.0, z } }, shape.Importance);
+        break;
+    }
+  }
+  for (double z : { 0.9, -0.9 })
+  {
+    const std::vector<Point> end{ { 4.0, 0.0, z }, { 4.0 + 2.0 * HalfLength, 0.0, z },
+      { 5.0, 0.1, z } };
+    add(
+      std::vector<Point>(end.begin(), end.begin() + (kind == Blades ? 3 : (kind == Lines ? 2 : 1))),
+      0.0);
+  }
+  data->SetPoints(points);
+  (kind == Blades ? data->SetPolys(cells)
+                  : (kind == Lines ? data->SetLines(cells) : data->SetVerts(cells)));
+  if (onCells)
+  {
+    data->GetCellData()->AddArray(ofCells);
+  }
+  else
+  {
+    data->GetPointData()->AddArray(ofPoints);
+  }
+  return data;
+}
+
+/// Opacities of the shapes that one pixel shows, by Eq. 2.
+std::vector<double> GetOpacities(
+  Optimization* by, const std::vector<Shape>& shapes, const std::vector<std::size_t>& shown)
+{
+  const int sums = 2 * by->GetNumberOfBands() + 1;
+  const int n = by->GetImportance() == Optimization::ExactImportance ? 1 : by->GetSubset();
+  Values values;
+  for (std::size_t i : shown)
+  {
+    const double g = shapes[i].Importance;
+    values.Depths.push_back(shapes[i].Depth);
+    values.Sizes.push_back(static_cast<int>(i) % n == 0 ? n * g * g : 0.0);
+  }
+  const double total = values.GetTotal();
+  std::vector<double> opacities;
+  for (std::size_t k = 0; k < shown.size(); ++k)
+  {
+    double front;
+    double behind = -1.0;
+    if (by->GetImportance() == Optimization::ExactImportance)
+    {
+      front = values.GetExactFront(k);
+    }
+    else if (by->GetBlending() == Optimization::PaperFourier)
+    {
+      // Eq. 10, where the sum at a fragment stands for the sum with it.
+      const double here =
+        values.GetSum(SinesAndCosines, sums, values.Depths[k], static_cast<std::size_t>(-1));
+      const double others = total - values.Sizes[k];
+      front = std::min(std::max(here - values.Sizes[k], 0.0), others);
+      behind = std::min(std::max(total - here, 0.0), total);
+    }
+    else
+    {
+      const Series series = by->GetBlending() == Optimization::Bins ? EqualBins : Cosines;
+      front = values.GetSeriesFront(series, sums, k);
+    }
+    behind = behind < 0.0 ? std::max(total - values.Sizes[k] - front, 0.0) : behind;
+    opacities.push_back(GetOptimalOpacity(shapes[shown[k]].Importance, front, behind, by));
+  }
+  return opacities;
+}
+
+/// The smallest opacity of each shape over all pixels.
+std::vector<double> GetSmallest(Optimization* by, const std::vector<Shape>& shapes)
+{
+  std::vector<double> smallest(shapes.size(), 1.0);
+  const int size = Size / by->GetImportanceReduction();
+  for (int y = 0; y < size; ++y)
+  {
+    for (int x = 0; x < size; ++x)
+    {
+      std::vector<std::size_t> shown;
+      for (std::size_t i = 0; i < shapes.size(); ++i)
+      {
+        if (shapes[i].Covers((2.0 * x + 1.0) / size - 1.0, (2.0 * y + 1.0) / size - 1.0))
+        {
+          shown.push_back(i);
+        }
+      }
+      const std::vector<double> opacities = GetOpacities(by, shapes, shown);
+      for (std::size_t k = 0; k < shown.size(); ++k)
+      {
+        smallest[shown[k]] = std::min(smallest[shown[k]], opacities[k]);
+      }
+    }
+  }
+  return smallest;
+}
+
+struct Scene : OpacityStage
+{
+  Scene()
+    : OpacityStage(Size, Size)
+  {
+    this->Renderer->SetBackground(0.0, 0.0, 0.0);
+    this->Actor->GetProperty()->SetPointSize(15.0);
+    // As wide as the blades.
+    this->Actor->GetProperty()->SetLineWidth(static_cast<float>(Size * HalfWidth));
+    this->Mapper->SetNumberOfPatches(1);
+    this->Mapper->SetNumberOfLineSegments(1);
+    this->GetOptimization()->SetImportanceReduction(1);
+  }
+};
+
+// Grey of a shape where it is alone. Its surroundings are the same, so that no edge is near.
+int GetGrey(const Picture& picture, const Shape& shape)
+{
+  return picture.At(static_cast<int>((shape.Alone[0] + 1.0) * Size / 2),
+    static_cast<int>((shape.Alone[1] + 1.0) * Size / 2))[0];
+}
+
+void CheckShapes(Checks& check, const std::string& name, Scene& scene, const Picture& picture,
+  const std::vector<Shape>& shapes)
+{
+  Optimization* by = scene.GetOptimization();
+  const std::vector<double> expected = GetSmallest(by, shapes);
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+  {
+    const bool isOpaque =
+      by->GetBlending() == Optimization::Fourier && expected[i] >= by->GetOpaqueThreshold();
+    const double grey = 255.0 * (isOpaque ? 1.0 : expected[i]);
+    check(std::abs(GetGrey(picture, shapes[i]) - grey) < Tolerance,
+      name + ", importance " + std::to_string(shapes[i].Importance) + ": grey " +
+        std::to_string(GetGrey(picture, shapes[i])) + " instead of " + std::to_string(grey));
+  }
+}
+
+struct Weights
+{
+  const char* Name;
+  double P, Q, R, Lambda;
+};
+
+constexpr Weights AllWeights[] = { { "usual weights", 1.0, 50.0, 50.0, 2.0 },
+  { "foreground", 1.0, 20.0, 0.5, 1.5 }, { "background", 1.0, 1.0, 30.0, 2.0 },
+  { "only ratios count", 10.0, 200.0, 5.0, 1.5 }, { "no background", 1.0, 5.0, 0.0, 1.0 },
+  { "no foreground", 1.0, 0.0, 5.0, 1.0 }, { "q = r = 0", 1.0, 0.0, 0.0, 2.0 },
+  { "smallest lambda", 1.0, 5.0, 2.0, 0.01 }, { "largest lambda", 1.0, 50.0, 20.0, 100.0 },
+  { "largest weights", 1e-6, 1e6, 1e6, 2.0 } };
+
+void SetWeights(Optimization* by, const Weights& weights)
+{
+  by->SetRegularizationWeight(weights.P);
+  by->SetForegroundWeight(weights.Q);
+  by->SetBackgroundWeight(weights.R);
+  by->SetEmphasis(weights.Lambda);
+}
+
+void CheckEquation(Checks& check, Kind kind)
+{
+  struct
+  {
+    const char* Name;
+    int Blending;
+    int Importance;
+    int Bands;
+  } methods[] = { { "exact", Optimization::FragmentLists, Optimization::ExactImportance, 5 },
+    { "cosines", Optimization::FragmentLists, Optimization::SeriesImportance, 5 },
+    { "Fourier", Optimization::Fourier, Optimization::SeriesImportance, 3 },
+    { "paper", Optimization::PaperFourier, Optimization::SeriesImportance, 5 },
+    { "bins", Optimization::Bins, Optimization::SeriesImportance, 5 } };
+  Scene scene;
+  Optimization* by = scene.GetOptimization();
+  const std::vector<double> mixed = kind == Points ? std::vector<double>{ 0.1, 0.9, 0.0, 0.6 }
+                                                   : std::vector<double>{ 0.1, 0.9, 0.0, 0.6, 0.3 };
+  const std::string name = std::string(KindNames[kind]) + ", ";
+  for (const auto& method : methods)
+  {
+    by->SetBlending(method.Blending);
+    by->SetImportance(method.Importance);
+    by->SetNumberOfBands(method.Bands);
+    for (const Weights& weights : AllWeights)
+    {
+      SetWeights(by, weights);
+      const std::vector<Shape> shapes = MakeShapes(kind, mixed, 3);
+      const Picture picture = scene.Render(MakeData(kind, shapes, kind == Lines));
+      CheckShapes(check, name + method.Name + ", " + weights.Name, scene, picture, shapes);
+    }
+    SetWeights(by, AllWeights[0]);
+    for (double all : { 0.0, 1.0 })
+    {
+      const auto shapes = MakeShapes(kind, std::vector<double>(mixed.size(), all), 5);
+      const Picture picture = scene.Render(MakeData(kind, shapes, false));
+      for (const Shape& shape : shapes)
+      {
+        check(GetGrey(picture, shape) == 255,
+          name + method.Name + ", importance " + std::to_string(all) + " everywhere is opaque");
+      }
+    }
+  }
+  // At reduced resolution; and every second or third of the points stands for all.
+  for (int reduction : { 2, 4 })
+  {
+    by->SetImportanceReduction(reduction);
+    const std::vector<Shape> shapes = MakeShapes(kind, mixed, 3);
+    // What is as wide on the picture as before is wider where pixels are larger.
+    if (kind == Blades)
+    {
+      CheckShapes(
+        check, name + "reduced", scene, scene.Render(MakeData(kind, shapes, false)), shapes);
+    }
+  }
+  by->SetImportanceReduction(1);
+  for (int n : { 2, 3 })
+  {
+    by->SetSubset(n);
+    by->SetBlendingToFragmentLists();
+    SetWeights(by, AllWeights[1]);
+    const std::vector<Shape> shapes = MakeShapes(kind, mixed, 3);
+    if (kind == Points)
+    {
+      CheckShapes(check, name + "subset of " + std::to_string(n), scene,
+        scene.Render(MakeData(kind, shapes, false)), shapes);
+    }
+  }
+}
+
+// How arrays become importance, without a picture.
+void CheckArrays(Checks& check)
+{
+  // Two triangles that share the points 1 and 2.
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  for (const Point& point :
+    std::vector<Point>{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } })
+  {
+    points->InsertNextPoint(point.data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  triangles->InsertNextCell({ 0, 1, 2 });
+  triangles->InsertNextCell({ 1, 3, 2 });
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  const auto makeArray = [](const char* name, int components, const std::vector<double>& values)
+  {
+    auto array = vtkSmartPointer<vtkDoubleArray>::New();
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    for (double value : values)
+    {
+      array->InsertNextValue(value);
+    }
+    return array;
+  };
+  data->GetPointData()->SetScalars(makeArray("scalars", 1, { 0.0, 0.25, 0.5, 1.0 }));
+  data->GetPointData()->AddArray(makeArray("points", 1, { -2.0, 2.0, 6.0, 4.0 }));
+  data->GetPointData()->AddArray(
+    makeArray("vectors", 2, { 3.0, 4.0, 0.0, 0.0, 0.0, 2.5, 6.0, 8.0 }));
+  data->GetCellData()->AddArray(makeArray("cells", 1, { 0.25, 0.75 }));
+  data->GetCellData()->AddArray(makeArray("points", 1, { 100.0, 200.0 }));
+  struct
+  {
+    const char* Array;
+    double Range[2];
+    std::vector<double> Expected;
+  } cases[] = { { "", { 0.0, 1.0 }, { 0.0, 0.25, 0.5, 1.0 } },
+    { "", { 1.0, 0.0 }, { 0.0, 0.25, 0.5, 1.0 } },
+    { "points", { 1.0, 0.0 }, { 0.0, 0.5, 1.0, 0.75 } },
+    { "points", { 0.0, 4.0 }, { 0.0, 0.5, 1.0, 1.0 } },
+    { "vectors", { 0.0, 10.0 }, { 0.5, 0.0, 0.25, 1.0 } },
+    { "cells", { 0.0, 1.0 }, { 0.25, 0.75, 0.75, 0.75 } },
+    { "cells", { 1.0, 0.0 }, { 0.0, 1.0, 1.0, 1.0 } } };
+  for (const auto& test : cases)
+  {
+    vtkFourierOpacityVertices vertices;
+    vtkFourierOpacityVertices::Settings settings;
+    settings.ArrayName = test.Array;
+    settings.Range[0] = test.Range[0];
+    settings.Range[1] = test.Range[1];
+    const std::string name = "array \"" + settings.ArrayName + "\"";
+    check(vertices.Update(data, settings), name + ": is made");
+    check(!vertices.Update(data, settings), name + ": is made once");
+    check(vertices.GetWarnings().empty(), name + ": no warning");
+    for (int i = 0; i < 4; ++i)
+    {
+      check(std::abs(vertices.GetImportance()->GetValue(i) - test.Expected[i]) < 1e-6,
+        name + ": point " + std::to_string(i) + " has " +
+          std::to_string(vertices.GetImportance()->GetValue(i)));
+    }
+    settings.Range[1] += 1.0;
+    check(vertices.Update(data, settings), name + ": is made anew for another range");
+    data->Modified();
+    check(vertices.Update(data, settings), name + ": is made anew for another input");
+  }
+
+  // What is not a number is unimportant, for points and cells.
+  const double nan = vtkMath::Nan();
+  const double infinity = std::numeric_limits<double>::infinity();
+  data->GetPointData()->AddArray(makeArray("bad points", 1, { nan, infinity, 1.0, 3.0 }));
+  data->GetCellData()->AddArray(makeArray("bad cells", 1, { nan, 1.0 }));
+  const std::pair<const char*, std::array<double, 4>> bad[] = {
+    { "bad points", { 0, 0, 0.25, 0.75 } }, { "bad cells", { 0.0, 0.25, 0.25, 0.25 } }
+  };
+  for (const auto& test : bad)
+  {
+    vtkFourierOpacityVertices vertices;
+    vtkFourierOpacityVertices::Settings settings;
+    settings.ArrayName = test.first;
+    settings.Range[0] = 0.0;
+    settings.Range[1] = 4.0;
+    vertices.Update(data, settings);
+    check(vertices.GetWarnings().size() == 1, settings.ArrayName + ": one warning");
+    for (int i = 0; i < 4; ++i)
+    {
+      check(vertices.GetImportance()->GetValue(i) == test.second[i],
+        settings.ArrayName + ": point " + std::to_string(i) + " has " +
+          std::to_string(vertices.GetImportance()->GetValue(i)));
+    }
+  }
+}
+
+// Mean of a value and the mean of its neighbours on a line, so many times.
+std::vector<double> Smooth(std::vector<double> values, int iterations)
+{
+  for (int iteration = 0; iteration < iterations; ++iteration)
+  {
+    const std::vector<double> old = values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const double before = i > 0 ? old[i - 1] : old[i + 1];
+      const double after = i + 1 < values.size() ? old[i + 1] : old[i - 1];
+      values[i] = 0.5 * old[i] + 0.25 * (before + after);
+    }
+  }
+  return values;
+}
+
+// A line of eight segments, of which the first two lie before something important; another line
+// beside it does not.
+void CheckSmoothing(Checks& check)
+{
+  std::vector<Curve> curves(2);
+  for (int i = 0; i <= 16; ++i)
+  {
+    curves[0].push_back({ -0.8 + 0.1 * i, 0.25, 0.5 });
+    curves[1].push_back({ -0.8 + 0.1 * i, -0.25, 0.5 });
+  }
+  // The important thing is a black line, so that it adds no light. What is drawn between points of
+  // two segments counts as the second one: so it ends within the second segment.
+  curves.push_back({ { -0.8, 0.25, -0.5 }, { -0.55, 0.25, -0.5 } });
+  auto data = MakeLines(curves);
+  vtkNew<vtkFloatArray> importance;
+  importance->SetName("Importance");
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    importance->InsertNextValue(i < 34 ? 0.0f : 1.0f);
+    const unsigned char grey = i < 34 ? 255 : 0;
+    colors->InsertNextTuple3(grey, grey, grey);
+  }
+  data->GetPointData()->SetScalars(colors);
+  data->GetPointData()->AddArray(importance);
+
+  Scene scene;
+  Optimization* by = scene.GetOptimization();
+  by->SetImportanceToExact();
+  by->SetBlendingToFragmentLists();
+  by->SetForegroundWeight(9.0);
+  // Lengths of 1.6, 1.6 and 0.25: 8, 8 and 1 segments.
+  scene.Mapper->SetNumberOfLineSegments(17);
+  for (int iterations : { 0, 1, 15, 1000 })
+  {
+    by->SetSmoothingIterations(iterations);
+    const Picture picture = scene.Render(data);
+    std::vector<double> expected(8, 1.0);
+    expected[0] = expected[1] = 0.1;
+    expected = Smooth(expected, iterations);
+    const std::string name = std::to_string(iterations) + " iterations, ";
+    for (int i = 0; i < 8; ++i)
+    {
+      // The centre of segment i is at -0.7 + 0.2 i.
+      const int x = static_cast<int>((0.3 + 0.2 * i) * Size / 2);
+      const int grey = picture.At(x, 40)[0];
+      // Between centres opacity is linear: a pixel is 5/32 of their distance.
+      const double left = i > 0 ? expected[i - 1] : expected[i];
+      const double right = i < 7 ? expected[i + 1] : expected[i];
+      const double slack =
+        0.16 * 255.0 * std::max(std::abs(expected[i] - left), std::abs(expected[i] - right));
+      check(std::abs(grey - 255.0 * expected[i]) < 2.0 + slack,
+        name + "segment " + std::to_string(i) + ": grey " + std::to_string(grey) + " instead of " +
+          std::to_string(255.0 * expected[i]));
+      check(picture.At(x, 24)[0] == 255, name + "the other line stays opaque");
+    }
+  }
+}
+
+// A line, or a strip of squares, in front of an important one fades alike everywhere, however many
+// of its segments lie between two of its points, or have no fragment that counts as theirs.
+void CheckCoarse(Checks& check)
+{
+  for (bool isSurface : { false, true })
+  {
+    for (int segments : { 2, 6, 50, 50000 })
+    {
+      for (int columns : { 2, 5, 60 })
+      {
+        std::vector<Curve> curves(isSurface ? 4 : 2);
+        for (int i = 0; i < columns; ++i)
+        {
+          for (std::size_t k = 0; k < curves.size(); ++k)
+          {
+            const bool isFront = 2 * k < curves.size();
+            curves[k].push_back({ -0.9 + 1.8 * i / (columns - 1),
+              isSurface ? (k % 2 == 0 ? -0.3 : 0.3) : -0.15, isFront ? 0.5 : -0.5 });
+          }
+        }
+        if (!isSurface)
+        {
+          curves[1] = curves[0];
+          for (Point& point : curves[1])
+          {
+            point[2] = -0.5;
+          }
+        }
+        auto data = MakeLines(curves);
+        if (isSurface)
+        {
+          vtkNew<vtkCellArray> squares;
+          for (vtkIdType first : { 0, 2 * columns })
+          {
+            for (vtkIdType i = first; i < first + columns - 1; ++i)
+            {
+              squares->InsertNextCell({ i, i + 1, i + 1 + columns, i + columns });
+            }
+          }
+          data->SetLines(nullptr);
+          data->SetPolys(squares);
+        }
+        vtkNew<vtkFloatArray> importance;
+        importance->SetName("Importance");
+        vtkNew<vtkUnsignedCharArray> colors;
+        colors->SetNumberOfComponents(3);
+        for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+        {
+          const bool isFront = 2 * i < data->GetNumberOfPoints();
+          importance->InsertNextValue(isFront ? 0.0f : 1.0f);
+          const double grey = isFront ? 255.0 : 0.0;
+          colors->InsertNextTuple3(grey, grey, grey);
+        }
+        data->GetPointData()->SetScalars(colors);
+        data->GetPointData()->AddArray(importance);
+
+        Scene scene;
+        scene.Mapper->SetNumberOfLineSegments(segments);
+        scene.Mapper->SetNumberOfPatches(segments);
+        const Picture picture = scene.Render(data);
+        for (int x : { 5, 20, 32, 44, 58 })
+        {
+          const int grey = picture.At(x, 27)[0];
+          check(std::abs(grey - 255.0 / 51.0) < Tolerance,
+            std::string(isSurface ? "surface" : "line") + " of " + std::to_string(columns) +
+              " points and " + std::to_string(segments) + " segments: grey " +
+              std::to_string(grey));
+        }
+      }
+    }
+  }
+}
+}
+
+int TestFourierOpacityImportance(int, char*[])
+{
+  Checks check;
+  const KeptDisplay kept;
+  for (Kind kind : { Blades, Lines, Points })
+  {
+    CheckEquation(check, kind);
+  }
+  CheckArrays(check);
+  CheckSmoothing(check);
+  CheckCoarse(check);
+  return check.GetResult();
+}
