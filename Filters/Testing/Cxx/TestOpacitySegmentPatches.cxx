@@ -98,6 +98,32 @@ void TestPlane(Checks& check)
   }
 }
 
+/// On a regular grid, many points are equally far from two seeds: they belong to the first one.
+void TestTies(Checks& check)
+{
+  Segments segments;
+  segments.Filter->SetNumberOfPatches(40);
+  segments.Update(MakeGrid(40, 0.0));
+  const std::vector<Point> seeds = FindSeeds(check, segments);
+  const std::vector<Point> points = GetPoints(segments.Output);
+  int ties = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    std::size_t first = 0;
+    for (std::size_t k = 1; k < seeds.size(); ++k)
+    {
+      first = Length(points[i] - seeds[k]) < Length(points[i] - seeds[first]) - 1e-12 ? k : first;
+    }
+    const int id = segments.GetId(static_cast<vtkIdType>(i));
+    ties += std::abs(segments.GetDistance(static_cast<vtkIdType>(i), 0) -
+              segments.GetDistance(static_cast<vtkIdType>(i), 1)) < 1e-6
+      ? 1
+      : 0;
+    check(id == static_cast<int>(first), "of two seeds that are equally far, the first one counts");
+  }
+  check(ties > 20, "there are ties");
+}
+
 void TestSphere(Checks& check)
 {
   const int resolutions[] = { 26, 51 };
@@ -361,19 +387,18 @@ void TestPolygons(Checks& check)
     check(errors.Relative < 1e-6 && errors.Nearest * n < 1e-5 && errors.CutOff * n < 0.1,
       "distances over polygons of " + std::to_string(cells[0].size()) + " points");
   }
-  // A quad like an arrow head: the way along its tip must not lead through the notch.
+  // A quad like an arrow head; its shorter diagonal lies outside.
   vtkSmartPointer<vtkPolyData> arrow =
     MakeData({ { 0.0, 0.0, 0.0 }, { 1.0, 3.0, 0.0 }, { 0.0, 2.9, 0.0 }, { -1.0, 3.0, 0.0 } });
   arrow->SetPolys(MakeCells({ { 0, 1, 2, 3 } }));
   Segments segments;
   segments.Filter->SetNumberOfPatches(2);
   segments.Update(arrow);
-  double largest = 0.0;
-  for (vtkIdType i = 0; i < 4; ++i)
-  {
-    largest = std::max(largest, segments.GetDistance(i, 1));
-  }
-  check(std::abs(largest - std::sqrt(10.0)) < 1e-6, "a concave quad is parted inside");
+  // The seeds are points 1 and 0, and from point 3 to 1 the way leads through the notch's corner.
+  check(segments.GetId(1) == 0 && segments.GetId(0) == 1 &&
+      std::abs(segments.GetDistance(3, 0) - 2.0 * std::sqrt(1.01)) < 1e-6 &&
+      std::abs(segments.GetDistance(3, 1) - std::sqrt(10.0)) < 1e-6,
+    "a concave quad is parted inside");
 }
 
 void TestPieces(Checks& check)
@@ -431,6 +456,7 @@ int TestOpacitySegmentPatches(int, char*[])
 {
   Checks check;
   TestPlane(check);
+  TestTies(check);
   TestSphere(check);
   TestFarthestPoints(check);
   TestContinuity(check);
