@@ -8,6 +8,7 @@
  */
 
 #include "OpacitySegmentTesting.h"
+#include "vtkIdList.h"
 #include "vtkSphereSource.h"
 
 using namespace OpacitySegmentTesting;
@@ -148,6 +149,76 @@ void TestSphere(Checks& check)
       errors.Relative < limits[i] && errors.Nearest < limits[i] && errors.CutOff < 1.5 * limits[i],
       "distances on a sphere");
   }
+}
+
+/// Long triangles in planes that contradict each other: distances do not improve for ever, and lie
+/// between those through the air and those along edges.
+void TestSlivers(Checks& check)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(60);
+  sphere->SetPhiResolution(30);
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->Update();
+  std::vector<Point> points = GetPoints(sphere->GetOutput());
+  for (Point& point : points)
+  {
+    point[0] *= 30.0;
+  }
+  vtkSmartPointer<vtkPolyData> data = MakeData(points);
+  data->SetPolys(sphere->GetOutput()->GetPolys());
+  Segments segments;
+  segments.Filter->SetNumberOfPatches(20);
+  segments.Update(data);
+  segments.CheckArrays(check, "slivers");
+  const std::vector<Point> seeds = FindSeeds(check, segments);
+  double smallest = 1e30;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      const int id = segments.GetId(static_cast<vtkIdType>(i), j);
+      const double air = Length(points[i] - seeds[static_cast<std::size_t>(id)]);
+      const double found = segments.GetDistance(static_cast<vtkIdType>(i), j);
+      smallest = air > 0.0 ? std::min(smallest, found / air) : smallest;
+    }
+  }
+  // The first seed is at one tip, from which Bellman-Ford along the edges bounds its distances.
+  std::vector<double> alongEdges(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    alongEdges[i] = points[i] == seeds[0] ? 0.0 : 1e30;
+  }
+  vtkNew<vtkIdList> ids;
+  for (bool isChanged = true; isChanged;)
+  {
+    isChanged = false;
+    for (vtkIdType cell = 0; cell < data->GetPolys()->GetNumberOfCells(); ++cell)
+    {
+      data->GetPolys()->GetCellAtId(cell, ids);
+      for (vtkIdType i = 0; i < 6; ++i)
+      {
+        const std::size_t a = static_cast<std::size_t>(ids->GetId(i % 3));
+        const std::size_t b = static_cast<std::size_t>(ids->GetId((i + 1 + i / 3) % 3));
+        const double way = alongEdges[a] + Length(points[a] - points[b]);
+        isChanged = isChanged || way < alongEdges[b];
+        alongEdges[b] = std::min(alongEdges[b], way);
+      }
+    }
+  }
+  double largest = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (int j = 0; j < 3 && alongEdges[i] > 0.0; ++j)
+    {
+      largest = segments.GetId(static_cast<vtkIdType>(i), j) == 0
+        ? std::max(largest, segments.GetDistance(static_cast<vtkIdType>(i), j) / alongEdges[i])
+        : largest;
+    }
+  }
+  std::cout << "slivers: " << smallest << " to " << largest << std::endl;
+  check(largest < 1.0001, "no way is longer than along the edges");
+  check(smallest > 0.9, "no way is much shorter than through the air");
 }
 
 void TestFarthestPoints(Checks& check)
@@ -458,6 +529,7 @@ int TestOpacitySegmentPatches(int, char*[])
   TestPlane(check);
   TestTies(check);
   TestSphere(check);
+  TestSlivers(check);
   TestFarthestPoints(check);
   TestContinuity(check);
   TestNeighbors(check);
