@@ -39,9 +39,8 @@
  * is a point from which four seeds are equally far. A connected piece with two or three patches has
  * one cut-off, the largest distance of any of its points to any of its seeds; with a single patch,
  * distances are 0 and the cut-off is 1. Points at identical coordinates are one vertex of the
- * surface. See vtkSurfaceGeodesicsPrivate.h for the distances: they are exact on planes up to
- * rounding, but for few cut-offs, and within 1 % on spheres of more than 1200 vertices. A million
- * triangles with 500 patches take about 4 s.
+ * surface. Distances are exact on planes up to rounding, but for few cut-offs, and within 1 % on
+ * spheres of more than 1200 vertices. A million triangles with 500 patches take about 4 s.
  *
  * <b>Shared points.</b> A point that several lines use, or lines, surfaces and vertices, belongs to
  * the first that uses it, lines before surfaces before vertices; see GetNumberOfSharedPoints().
