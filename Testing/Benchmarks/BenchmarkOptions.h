@@ -46,7 +46,7 @@ struct BenchmarkOptions
   int Vertices = 0;
   int Width = 1024;
   int Height = 768;
-  double Zoom = 1.0;
+  double Zoom = 1.0; ///< of the middle of the picture, 0.1 to 100
   double Opacity = 1.0;
   int Frames = 5;
   int Threads = 0; ///< 0: all
