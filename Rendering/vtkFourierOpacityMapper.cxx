@@ -53,6 +53,7 @@ public:
   vtkLineSetsLayer Layer;
   vtkLineSetsFrameCounter Frames;
   vtkIdType Frame = -1;
+  const vtkActor* LastActor = nullptr; ///< compared, never followed
 
   // What has been said, so that it is said once.
   std::vector<std::string> Said;
@@ -340,7 +341,7 @@ void vtkFourierOpacityMapper::RenderAlone(vtkRenderer* renderer, vtkActor* actor
   // Depth peeling draws again what the frame has already.
   const vtkIdType frame = internals.Frames.GetFrame(renderer);
   std::string error;
-  if (frame != internals.Frame || !internals.Layer.HasPicture())
+  if (frame != internals.Frame || actor != internals.LastActor || !internals.Layer.HasPicture())
   {
     std::string warning;
     error = internals.Painter->Draw(renderer, { { actor, this } }, internals.Optimization,
@@ -355,6 +356,7 @@ void vtkFourierOpacityMapper::RenderAlone(vtkRenderer* renderer, vtkActor* actor
     internals.SelectionPainter = internals.Painter;
     internals.Layer.SetTextures(internals.Painter->GetColor(), internals.Painter->GetDepth());
     internals.Frame = frame;
+    internals.LastActor = actor;
   }
   if (error.empty())
   {

@@ -15,6 +15,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 #include "vtkVoxelLineAccumulator.h"
 
@@ -76,6 +77,46 @@ private:
 #ifdef GL_MULTISAMPLE
   vtkOpenGLState::ScopedglEnableDisable Multisample;
 #endif
+};
+
+/// What is bound to an image unit; it is bound again when this ends.
+class SavedImageUnit
+{
+public:
+  explicit SavedImageUnit(unsigned int unit)
+    : Unit(unit)
+    , Name(Get(GL_IMAGE_BINDING_NAME))
+    , Level(Get(GL_IMAGE_BINDING_LEVEL))
+    , IsLayered(Get(GL_IMAGE_BINDING_LAYERED))
+    , Layer(Get(GL_IMAGE_BINDING_LAYER))
+    , Access(Get(GL_IMAGE_BINDING_ACCESS))
+    , Format(Get(GL_IMAGE_BINDING_FORMAT))
+  {
+  }
+  ~SavedImageUnit()
+  {
+    glBindImageTexture(this->Unit, static_cast<GLuint>(this->Name), this->Level,
+      this->IsLayered ? GL_TRUE : GL_FALSE, this->Layer, static_cast<GLenum>(this->Access),
+      static_cast<GLenum>(this->Format));
+  }
+  SavedImageUnit(const SavedImageUnit&) = delete;
+  void operator=(const SavedImageUnit&) = delete;
+
+private:
+  int Get(GLenum which) const
+  {
+    int value = 0;
+    glGetIntegeri_v(which, this->Unit, &value);
+    return value;
+  }
+
+  unsigned int Unit;
+  int Name;
+  int Level;
+  int IsLayered;
+  int Layer;
+  int Access;
+  int Format;
 };
 
 /// Textures that programs read, until Clear().
@@ -457,6 +498,7 @@ std::string vtkFourierOpacityPainter::FindOpacities(Frame& frame)
   {
     return error;
   }
+  const SavedImageUnit savedUnit(SmallestUnit);
   glBindImageTexture(
     SmallestUnit, this->Smallest.GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
   frame.Textures.Add("fourierScene", frame.Scene);
@@ -485,7 +527,6 @@ std::string vtkFourierOpacityPainter::FindOpacities(Frame& frame)
   }
   frame.Textures.Clear();
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glBindImageTexture(SmallestUnit, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
   if (!error.empty())
   {
     return error;
@@ -797,7 +838,11 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
   }
   if (this->Window && this->Window != window)
   {
-    this->ReleaseGraphicsResources(this->Window);
+    vtkSmartPointer<vtkOpenGLRenderWindow> other = this->Window.GetPointer();
+    other->PushContext();
+    this->ReleaseGraphicsResources(other);
+    other->PopContext();
+    window->MakeCurrent();
   }
   this->Window = window;
 
@@ -904,6 +949,11 @@ const std::vector<float>& vtkFourierOpacityPainter::GetOpacities() const
 //------------------------------------------------------------------------------
 void vtkFourierOpacityPainter::ReleaseGraphicsResources(vtkWindow* window)
 {
+  // A mapper that meets a new window in the middle of a picture leaves the old one then.
+  if (window && this->Window && window != this->Window.GetPointer())
+  {
+    return;
+  }
   this->Targets.ReleaseGraphicsResources(window);
   this->SceneDepth.ReleaseGraphicsResources(window);
   for (const std::unique_ptr<View>& view : this->Views)

@@ -12,6 +12,9 @@
 #include "vtkFragmentListPassResolve.h"
 #include "vtkFragmentListPassStore.h"
 
+#include <iomanip>
+#include <locale>
+#include <sstream>
 #include <vector>
 
 namespace
@@ -33,10 +36,14 @@ constexpr const char* DiscardHidden =
   "  }\n"
   "  float fourierD = fourierSceneDepth(gl_FragCoord.z);\n";
 
+// The same in every locale.
 std::string Number(float value)
 {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
   // GLSL takes no integer for a float everywhere.
-  return "float(" + std::to_string(value) + ")";
+  text << "float(" << std::setprecision(9) << value << ")";
+  return text.str();
 }
 
 std::string Component(int sum)
