@@ -399,7 +399,9 @@ bool vtkFourierOpacityMapper::HasHalo(vtkActor* actor)
 //------------------------------------------------------------------------------
 bool vtkFourierOpacityMapper::HaveWideLines(vtkRenderer* renderer, vtkActor* actor)
 {
-  return this->HasHalo(actor) || this->Superclass::HaveWideLines(renderer, actor);
+  // Widths that the property does not tell are those of the geometry shader.
+  return this->HasHalo(actor) || this->HasReducedLines(actor) ||
+    this->Superclass::HaveWideLines(renderer, actor);
 }
 
 //------------------------------------------------------------------------------
@@ -458,19 +460,66 @@ void vtkFourierOpacityMapper::SetMapperShaderParameters(
   {
     this->SetHaloParameters(cellBO.Program, renderer, actor);
   }
+  else if (this->HasReducedLines(actor))
+  {
+    this->SetLineWidth(
+      cellBO.Program, renderer, this->GetReducedSize(actor->GetProperty()->GetLineWidth()));
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkFourierOpacityMapper::GetReducedSize(double size)
+{
+  // Nothing is drawn smaller than a pixel.
+  return std::max(size / this->Internals->Stage->Reduction, 1.0);
 }
 
 //------------------------------------------------------------------------------
 float vtkFourierOpacityMapper::GetCoverage(vtkOpenGLHelper& cellBO, vtkActor* actor)
 {
-  const float part = 1.0f / static_cast<float>(this->Internals->Stage->Reduction);
-  const int representation = actor->GetProperty()->GetRepresentation();
-  if (&cellBO == &this->Primitives[PrimitivePoints] || representation == VTK_POINTS)
+  vtkProperty* property = actor->GetProperty();
+  const int representation = property->GetRepresentation();
+  const bool isPoints =
+    &cellBO == &this->Primitives[PrimitivePoints] || representation == VTK_POINTS;
+  const bool isLines =
+    &cellBO == &this->Primitives[PrimitiveLines] || representation == VTK_WIREFRAME;
+  const double size = isPoints ? property->GetPointSize() : property->GetLineWidth();
+  const double part = size / this->Internals->Stage->Reduction / this->GetReducedSize(size);
+  return isPoints ? static_cast<float>(part * part) : isLines ? static_cast<float>(part) : 1.0f;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFourierOpacityMapper::HasReducedLines(vtkActor* actor)
+{
+  return this->Internals->Stage && this->Internals->Stage->Reduction > 1 &&
+    actor->GetProperty()->GetLineWidth() > 1.0f &&
+    (this->LastBoundBO == &this->Primitives[PrimitiveLines] ||
+      actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME) &&
+    actor->GetProperty()->GetRepresentation() != VTK_POINTS;
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (this->Internals->Stage && this->Internals->Stage->Reduction > 1)
   {
-    return part * part;
+    window->GetState()->vtkglPointSize(
+      static_cast<float>(this->GetReducedSize(actor->GetProperty()->GetPointSize())));
   }
-  return &cellBO == &this->Primitives[PrimitiveLines] || representation == VTK_WIREFRAME ? part
-                                                                                         : 1.0f;
+  this->Superclass::RenderPieceDraw(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::SetLineWidth(
+  vtkShaderProgram* program, vtkRenderer* renderer, double pixels)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  int viewport[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const float width[2] = { static_cast<float>(2.0 * pixels / viewport[2]),
+    static_cast<float>(2.0 * pixels / viewport[3]) };
+  program->SetUniform2f("lineWidthNVC", width);
 }
 
 //------------------------------------------------------------------------------
@@ -478,14 +527,9 @@ void vtkFourierOpacityMapper::SetHaloParameters(
   vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor)
 {
   const vtkFourierOpacityStage& stage = *this->Internals->Stage;
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  int viewport[4];
-  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   const float line = actor->GetProperty()->GetLineWidth();
   const auto halo = static_cast<float>(stage.HaloWidth);
-  const float width[2] = { 2.0f * (line + 2.0f * halo) / static_cast<float>(viewport[2]),
-    2.0f * (line + 2.0f * halo) / static_cast<float>(viewport[3]) };
-  program->SetUniform2f("lineWidthNVC", width);
+  this->SetLineWidth(program, renderer, line + 2.0f * halo);
   const float extent[3] = { 0.5f * line, halo, static_cast<float>(stage.HaloDepth) };
   program->SetUniform3f("fourierHalo", extent);
   if (program->IsUniformUsed("fourierHaloColor"))
