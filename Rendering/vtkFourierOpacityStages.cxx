@@ -413,8 +413,10 @@ std::string vtkFourierOpacityStages::Finish(bool multiplied) const
     (multiplied ? "  gl_FragData[0] = vec4(color, alpha);\n"
                 : "  gl_FragData[0] = alpha > 0.0 ? vec4(color / alpha, alpha) : vec4(0.0);\n") +
     (this->HasBounds
-        ? "  gl_FragData[1] = vec4(fourierBufferDepth(1.0 -\n"
-          "    texelFetch(fourierBounds, pixel / fourierReduction, 0).r), 0.0, 0.0, 0.0);\n"
+        ? // Half floats are exact to 2^-10 of the value: what is just in front of something
+          // opaque must not come to lie behind it.
+          "  float near = texelFetch(fourierBounds, pixel / fourierReduction, 0).r * 1.001;\n"
+          "  gl_FragData[1] = vec4(fourierBufferDepth(max(1.0 - near, 0.0)), 0.0, 0.0, 0.0);\n"
         : "  gl_FragData[1] = vec4(fourierBufferDepth(0.0), 0.0, 0.0, 0.0);\n") +
     "}\n";
 }

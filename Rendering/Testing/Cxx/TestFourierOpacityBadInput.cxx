@@ -194,7 +194,8 @@ void CheckEmpty(Checks& check, Messages* messages)
     scene.Mapper->SetInputData(scene.Data);
     scene.GetOptimization()->SetForegroundWeight(0.0);
     const Picture picture = scene.Stage::Render();
-    check(picture.At(11, 16) != Background, "something is drawn after nothing, " + std::string(MethodNames[method]));
+    check(picture.At(11, 16) != Background,
+      "something is drawn after nothing, " + std::string(MethodNames[method]));
     check(messages->IsQuiet(), "something after nothing: nothing is said");
   }
   Scene none;

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Guards vtkFourierOpacityMapper against what surrounds it: several viewports, windows in turn,
+// closed and opened again, of another size, with samples; parallel and perspective views.
+
+#include "FourierOpacityScene.h"
+
+using namespace FourierOpacityTesting;
+
+namespace
+{
+constexpr int Size = SceneSize;
+
+constexpr Method Methods[] = { { Optimization::Fourier, Optimization::SeriesImportance },
+  { Optimization::WeightedAverage, Optimization::ExactImportance },
+  { Optimization::FragmentLists, Optimization::ExactImportance } };
+
+// The part of a picture that begins at a pixel.
+Picture Cut(const Picture& picture, int x, int y, int width, int height)
+{
+  Picture part;
+  part.Width = width;
+  part.Height = height;
+  for (int j = y; j < y + height; ++j)
+  {
+    for (int i = x; i < x + width; ++i)
+    {
+      for (int value : picture.At(i, j))
+      {
+        part.Bytes.push_back(static_cast<unsigned char>(value));
+      }
+    }
+  }
+  return part;
+}
+
+void CheckViewports(Checks& check, const Method& method)
+{
+  Scene alone(method);
+  const Picture expected = alone.Render();
+  check(GetCoverage(expected, Background) > 0.3, GetName(method) + ": something is drawn");
+
+  Scene stage(method, 2 * Size, Size + 30);
+  stage.Renderer->SetViewport(0.5, 30.0 / (Size + 30), 1.0, 1.0);
+  vtkNew<vtkRenderer> left;
+  left->SetViewport(0.0, 0.0, 0.5, 1.0);
+  left->SetBackground(0.1, 0.2, 0.4);
+  left->AddActor(stage.Actor);
+  vtkNew<vtkCamera> camera;
+  camera->DeepCopy(stage.Renderer->GetActiveCamera());
+  camera->SetParallelScale(1.5);
+  left->SetActiveCamera(camera);
+  stage.Window->AddRenderer(left);
+  const Picture both = stage.Render();
+  CheckSame(check, GetName(method) + ", a viewport", Cut(both, Size, 30, Size, Size), expected);
+  check(GetCoverage(Cut(both, 0, 0, Size, Size + 30), Background) > 0.1,
+    GetName(method) + ": the other viewport");
+  // The same again: no view takes what belongs to the other.
+  CheckSame(check, GetName(method) + ", viewports again", stage.Render(), both);
+}
+
+void CheckWindows(Checks& check, const Method& method)
+{
+  const std::string name = GetName(method);
+  Scene first(method);
+  const Picture expected = first.Render();
+  CheckSame(check, name + ", again", first.Render(), expected);
+
+  // The same mapper in two windows in turn, of other sizes.
+  Scene second(method, 80, 70);
+  const Picture expectedSecond = second.Render();
+  second.Actor->SetMapper(first.Mapper);
+  for (int i = 0; i < 2; ++i)
+  {
+    CheckSame(check, name + ", another window", second.Render(), expectedSecond);
+    CheckSame(check, name + ", back in the first window", first.Render(), expected);
+  }
+  second.Window->SetSize(50, 90);
+  const Picture narrow = second.Render();
+  second.Window->SetSize(80, 70);
+  CheckSame(check, name + ", another size and back", second.Render(), expectedSecond);
+  check(narrow.Width == 50 && GetCoverage(narrow, Background) > 0.1, name + ": another size");
+  second.Window->Finalize();
+  CheckSame(check, name + ", after another window was closed", first.Render(), expected);
+  first.Mapper->ReleaseGraphicsResources(first.Window);
+  CheckSame(check, name + ", after a release of resources", first.Render(), expected);
+  first.Window->Finalize();
+  CheckSame(check, name + ", closed and opened again", first.Render(), expected);
+}
+
+void CheckSamples(Checks& check, const Method& method)
+{
+  Scene plain(method);
+  const Picture expected = plain.Render();
+  Scene samples(method);
+  samples.Window->SetMultiSamples(4);
+  const Picture picture = samples.Render();
+  // Edges of what is opaque are smooth.
+  const Difference difference = Compare(picture, expected);
+  check(difference.Part < 0.06 && difference.Rms < 12.0,
+    GetName(method) + ", four samples" + VoxelLineMapperTesting::Describe(difference));
+}
+
+void CheckProjections(Checks& check, const Method& method)
+{
+  Scene stage(method);
+  const Picture expected = stage.Render();
+  // From so far away that rays are nearly parallel.
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOff();
+  const double distance = 400.0;
+  camera->SetPosition(0.0, 0.0, distance);
+  camera->SetViewAngle(2.0 * vtkMath::DegreesFromRadians(std::atan(1.0 / distance)));
+  camera->SetClippingRange(distance - 2.0, distance + 2.0);
+  for (bool isLogarithmic : { false, true })
+  {
+    stage.GetOptimization()->SetDepthScale(isLogarithmic);
+    const Difference difference = Compare(stage.Render(), expected);
+    check(difference.Rms < 3.0,
+      GetName(method) + ", perspective" + VoxelLineMapperTesting::Describe(difference));
+  }
+  // From within the scene: what is behind the viewer is not there.
+  camera->SetPosition(0.0, 0.0, 0.5);
+  camera->SetViewAngle(60.0);
+  camera->SetClippingRange(0.01, 5.0);
+  check(GetCoverage(stage.Render(), Background) > 0.1, GetName(method) + ": from within");
+}
+
+}
+
+int TestFourierOpacityWindows(int, char*[])
+{
+  Checks check;
+  const KeptDisplay kept;
+  auto messages = Listen();
+  for (const Method& method : Methods)
+  {
+    CheckViewports(check, method);
+    CheckWindows(check, method);
+    CheckSamples(check, method);
+    CheckProjections(check, method);
+  }
+  check(messages->IsQuiet(), "no errors and no warnings");
+  return check.GetResult();
+}
