@@ -8,11 +8,12 @@
  * are known, the triangle is laid into the plane, the source is the point of that plane with these
  * distances, and the third corner has the straight distance to it, if the straight line passes
  * between the two (Novotni and Klein, "Computing geodesic distances on triangular meshes", 2002).
- * A vertex that was done is taken up again where it becomes nearer, so that obtuse triangles need
- * no treatment of their own. On convex pieces of a plane the distances are exact, up to rounding.
- * On curved surfaces, a source's distances are taken to be those of a plane in each triangle, which
- * errs by the curvature: on a unit sphere of 1250, 5000 and 20 000 vertices, distances differ from
- * great circles by at most 0.8, 0.45 and 0.2 %, mostly towards less.
+ * A vertex that was done is taken up again where it becomes nearer, a few times at most, so that
+ * obtuse triangles need no treatment of their own. On convex pieces of a plane the distances are
+ * exact, up to rounding. On curved surfaces, a source's distances are taken to be those of a plane
+ * in each triangle, which errs by the curvature: on a unit sphere of 1250, 5000 and 20 000
+ * vertices, distances differ from great circles by at most 0.8, 0.45 and 0.2 %, mostly towards
+ * less.
  */
 
 #ifndef vtkSurfaceGeodesicsPrivate_h

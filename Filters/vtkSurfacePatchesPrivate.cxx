@@ -32,6 +32,12 @@ bool IsNearer(double distance, double other)
   return distance < other * (1.0 - Tolerance);
 }
 
+/// How often a vertex spreads the distance of one seed at most. It becomes nearer after it has
+/// spread where triangles are obtuse, mostly once. Where a surface is rough on the scale of its
+/// edges, the planes of its triangles contradict each other, and distances would improve each other
+/// for long.
+constexpr int MostSpreads = 4;
+
 /// The mean length of the edges.
 double FindMeanEdge(const Mesh& mesh)
 {
@@ -57,6 +63,7 @@ public:
     , Margin(2.0 * FindMeanEdge(mesh))
     , Nearest(mesh.Pieces.size(), Infinity)
     , Tentative(mesh.Pieces.size(), 0.0)
+    , Spreads(mesh.Pieces.size(), 0)
     , Round(mesh.Pieces.size(), 0)
     , Largest((mesh.Pieces.size() + BlockSize - 1) / BlockSize, Infinity)
     , IsStale(this->Largest.size(), true)
@@ -79,6 +86,7 @@ public:
       {
         continue;
       }
+      ++this->Spreads[Index(vertex)];
       if (distance < nearest)
       {
         nearest = distance;
@@ -154,6 +162,11 @@ private:
     if (old == Infinity)
     {
       this->Reached.push_back(vertex);
+      this->Spreads[Index(vertex)] = 0;
+    }
+    else if (this->Spreads[Index(vertex)] >= MostSpreads)
+    {
+      return;
     }
     this->Round[Index(vertex)] = this->CurrentRound;
     this->Tentative[Index(vertex)] = distance;
@@ -176,8 +189,10 @@ private:
   /// to two seeds differ by two edges more.
   const double Margin;
   std::vector<double> Nearest;
-  /// Distances of the newest seed; valid where the round is the current one.
+  /// Distances of the newest seed, and how often they spread; valid where the round is the current
+  /// one.
   std::vector<double> Tentative;
+  std::vector<std::uint8_t> Spreads;
   std::vector<std::uint32_t> Round;
   std::uint32_t CurrentRound = 0;
   /// The vertices that it reached.
@@ -235,8 +250,8 @@ public:
     auto labels = this->Labels[vertex];
     for (std::size_t i = KeptSeeds - 1; i > 0; --i)
     {
-      NearSeed& near = labels[i - 1];
-      NearSeed& far = labels[i];
+      Label& near = labels[i - 1];
+      Label& far = labels[i];
       if (far.Seed >= 0 && far.Seed < near.Seed && !IsNearer(near.Distance, far.Distance))
       {
         std::swap(near.Seed, far.Seed);
@@ -244,7 +259,11 @@ public:
       }
     }
     NearSeeds result;
-    std::copy_n(labels.begin(), NumberOfNearSeeds, result.begin());
+    for (std::size_t i = 0; i < NumberOfNearSeeds; ++i)
+    {
+      result[i].Seed = labels[i].Seed;
+      result[i].Distance = labels[i].Distance;
+    }
     return result;
   }
 
@@ -252,6 +271,13 @@ private:
   /// More labels are kept than are needed, so that the last ones of those have their distances
   /// through triangles too: both ends of an edge mostly have a label if it is not the last one.
   static constexpr std::size_t KeptSeeds = NumberOfNearSeeds + 2;
+
+  struct Label
+  {
+    int Seed = -1;
+    int Spreads = 0;
+    double Distance = Infinity;
+  };
 
   /// Spread a seed up to a distance.
   bool SpreadSeed(int seed, double limit, const ProgressFunction& goesOn)
@@ -265,10 +291,12 @@ private:
       const int vertex = queue.top().second;
       queue.pop();
       // A label that became nearer, or was driven out, is no longer found.
-      if (this->GetDistance(vertex, seed) != distance)
+      Label* label = this->Find(vertex, seed);
+      if (!label || label->Distance != distance)
       {
         continue;
       }
+      ++label->Spreads;
       this->Spread(vertex, seed, distance);
       ++this->Count;
       if (this->Count % 16384 == 0 &&
@@ -280,16 +308,22 @@ private:
     return true;
   }
 
-  double GetDistance(int vertex, int seed) const
+  Label* Find(int vertex, int seed)
   {
-    for (const NearSeed& label : this->Labels[Index(vertex)])
+    for (Label& label : this->Labels[Index(vertex)])
     {
       if (label.Seed == seed)
       {
-        return label.Distance;
+        return &label;
       }
     }
-    return Infinity;
+    return nullptr;
+  }
+
+  double GetDistance(int vertex, int seed)
+  {
+    const Label* label = this->Find(vertex, seed);
+    return label ? label->Distance : Infinity;
   }
 
   void Improve(int vertex, int seed, double distance)
@@ -305,7 +339,9 @@ private:
       ++slot;
     }
     // The last one is either that of the seed, or is driven out.
-    if (labels[slot].Seed == seed && !IsNearer(distance, labels[slot].Distance))
+    const bool isKnown = labels[slot].Seed == seed;
+    const int spreads = isKnown ? labels[slot].Spreads : 0;
+    if (!IsNearer(distance, labels[slot].Distance) || spreads >= MostSpreads)
     {
       return;
     }
@@ -313,8 +349,7 @@ private:
     {
       labels[slot] = labels[slot - 1];
     }
-    labels[slot].Seed = seed;
-    labels[slot].Distance = distance;
+    labels[slot] = { seed, spreads, distance };
     this->Queues[Index(seed)].emplace(distance, vertex);
   }
 
@@ -327,7 +362,7 @@ private:
   }
 
   const Mesh& Surface;
-  std::vector<std::array<NearSeed, KeptSeeds>> Labels;
+  std::vector<std::array<Label, KeptSeeds>> Labels;
   std::vector<Queue> Queues;
   vtkIdType Count = 0;
 };

@@ -388,6 +388,23 @@ void vtkFourierOpacityMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
 }
 
 //------------------------------------------------------------------------------
+bool vtkFourierOpacityMapper::HasHalo(vtkActor* actor)
+{
+  return this->Internals->Stage && this->Internals->Stage->HaloWidth > 0.0 &&
+    this->LastBoundBO == &this->Primitives[PrimitiveLines] &&
+    actor->GetProperty()->GetRepresentation() != VTK_POINTS &&
+    !actor->GetProperty()->GetRenderLinesAsTubes();
+}
+
+//------------------------------------------------------------------------------
+bool vtkFourierOpacityMapper::HaveWideLines(vtkRenderer* renderer, vtkActor* actor)
+{
+  // Widths that the property does not tell are those of the geometry shader.
+  return this->HasHalo(actor) || this->HasReducedLines(actor) ||
+    this->Superclass::HaveWideLines(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
 bool vtkFourierOpacityMapper::GetNeedToRebuildShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
 {
@@ -408,7 +425,8 @@ void vtkFourierOpacityMapper::ReplaceShaderValues(
   if (this->Internals->Stage)
   {
     vtkFourierOpacityShader::Insert(shaders, *this->Internals->Stage,
-      this->Internals->Vertices.GetElements() != nullptr, HasLateOpacity(actor));
+      this->Internals->Vertices.GetElements() != nullptr, HasLateOpacity(actor),
+      this->HasHalo(actor));
   }
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
 }
@@ -433,6 +451,93 @@ void vtkFourierOpacityMapper::SetMapperShaderParameters(
   if (this->Internals->Stage && this->Internals->Stage->SetParameters)
   {
     this->Internals->Stage->SetParameters(cellBO.Program);
+  }
+  if (this->Internals->Stage && cellBO.Program->IsUniformUsed("fourierCoverage"))
+  {
+    cellBO.Program->SetUniformf("fourierCoverage", this->GetCoverage(cellBO, actor));
+  }
+  if (this->HasHalo(actor))
+  {
+    this->SetHaloParameters(cellBO.Program, renderer, actor);
+  }
+  else if (this->HasReducedLines(actor))
+  {
+    this->SetLineWidth(
+      cellBO.Program, renderer, this->GetReducedSize(actor->GetProperty()->GetLineWidth()));
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkFourierOpacityMapper::GetReducedSize(double size)
+{
+  // Nothing is drawn smaller than a pixel.
+  return std::max(size / this->Internals->Stage->Reduction, 1.0);
+}
+
+//------------------------------------------------------------------------------
+float vtkFourierOpacityMapper::GetCoverage(vtkOpenGLHelper& cellBO, vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  const int representation = property->GetRepresentation();
+  const bool isPoints =
+    &cellBO == &this->Primitives[PrimitivePoints] || representation == VTK_POINTS;
+  const bool isLines =
+    &cellBO == &this->Primitives[PrimitiveLines] || representation == VTK_WIREFRAME;
+  const double size = isPoints ? property->GetPointSize() : property->GetLineWidth();
+  const double part = size / this->Internals->Stage->Reduction / this->GetReducedSize(size);
+  return isPoints ? static_cast<float>(part * part) : isLines ? static_cast<float>(part) : 1.0f;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFourierOpacityMapper::HasReducedLines(vtkActor* actor)
+{
+  return this->Internals->Stage && this->Internals->Stage->Reduction > 1 &&
+    actor->GetProperty()->GetLineWidth() > 1.0f &&
+    (this->LastBoundBO == &this->Primitives[PrimitiveLines] ||
+      actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME) &&
+    actor->GetProperty()->GetRepresentation() != VTK_POINTS;
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (this->Internals->Stage && this->Internals->Stage->Reduction > 1)
+  {
+    window->GetState()->vtkglPointSize(
+      static_cast<float>(this->GetReducedSize(actor->GetProperty()->GetPointSize())));
+  }
+  this->Superclass::RenderPieceDraw(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::SetLineWidth(
+  vtkShaderProgram* program, vtkRenderer* renderer, double pixels)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  int viewport[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const float width[2] = { static_cast<float>(2.0 * pixels / viewport[2]),
+    static_cast<float>(2.0 * pixels / viewport[3]) };
+  program->SetUniform2f("lineWidthNVC", width);
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::SetHaloParameters(
+  vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor)
+{
+  const vtkFourierOpacityStage& stage = *this->Internals->Stage;
+  const float line = actor->GetProperty()->GetLineWidth();
+  const auto halo = static_cast<float>(stage.HaloWidth);
+  this->SetLineWidth(program, renderer, line + 2.0f * halo);
+  const float extent[3] = { 0.5f * line, halo, static_cast<float>(stage.HaloDepth) };
+  program->SetUniform3f("fourierHalo", extent);
+  if (program->IsUniformUsed("fourierHaloColor"))
+  {
+    const double* background = renderer->GetBackground();
+    const float color[3] = { static_cast<float>(background[0]), static_cast<float>(background[1]),
+      static_cast<float>(background[2]) };
+    program->SetUniform3f("fourierHaloColor", color);
   }
 }
 

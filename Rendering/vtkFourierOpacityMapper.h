@@ -57,6 +57,7 @@ class vtkFourierOpacityPainter;
 struct vtkFourierOpacityGroup;
 struct vtkFourierOpacityStage;
 class vtkOpacityOptimization;
+class vtkShaderProgram;
 
 class VTKRENDERINGLINESETS_EXPORT vtkFourierOpacityMapper : public vtkIlluminatedLineMapper
 {
@@ -142,6 +143,7 @@ public:
 
   vtkMTimeType GetMTime() override;
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   void ShallowCopy(vtkAbstractMapper* mapper) override;
 
@@ -150,6 +152,7 @@ protected:
   ~vtkFourierOpacityMapper() override;
 
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
+  bool HaveWideLines(vtkRenderer* renderer, vtkActor* actor) override;
   bool GetNeedToRebuildShaders(
     vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderValues(
@@ -178,6 +181,14 @@ private:
     vtkRenderer* renderer, vtkActor* actor, const vtkFourierOpacityStage& stage, bool byActor);
   /// Whose last picture tells what a selection leaves out.
   void SetSelectionPainter(const std::shared_ptr<vtkFourierOpacityPainter>& painter);
+  /// Sizes of points and widths of lines in pictures of reduced resolution, and what part of its
+  /// pixels they should cover.
+  double GetReducedSize(double size);
+  float GetCoverage(vtkOpenGLHelper& cellBO, vtkActor* actor);
+  bool HasReducedLines(vtkActor* actor);
+  static void SetLineWidth(vtkShaderProgram* program, vtkRenderer* renderer, double pixels);
+  bool HasHalo(vtkActor* actor);
+  void SetHaloParameters(vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor);
   void RenderSelection(vtkRenderer* renderer, vtkActor* actor);
   void RenderAlone(vtkRenderer* renderer, vtkActor* actor);
 

@@ -410,6 +410,7 @@ void vtkFourierOpacityPainter::DrawStage(Frame& frame, vtkFourierOpacityStage& s
       this->Lists.SetParameters(program);
     }
   };
+  stage.Reduction = stage.IsReduced ? frame.Reduction : 1;
   for (std::size_t i = 0; i < frame.Items.size(); ++i)
   {
     stage.FirstElement = static_cast<int>(frame.View.Elements.GetFirstElement(i));

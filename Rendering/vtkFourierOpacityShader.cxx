@@ -38,6 +38,40 @@ constexpr const char* InterpolatedOpacity =
   "      fourierElementOpacity(int(fourierElementsMC.z));\n"
   "}\n";
 
+// A halo leans back, the more so the farther it is from its line. fourierHalo: half the width of
+// the line and the width of the halo, in pixels; depth of the halo's edge.
+constexpr const char* HaloDeclarations = "in float fourierAcrossVSOutput;\n"
+                                         "uniform vec3 fourierHalo;\n"
+                                         "uniform vec3 fourierHaloColor;\n";
+
+constexpr const char* Halo =
+  "  float fourierMargin = 2.0 * abs(fourierAcrossVSOutput) * (fourierHalo.x + fourierHalo.y) -\n"
+  "    fourierHalo.x;\n"
+  "  float fourierZ = gl_FragCoord.z;\n"
+  "  if (fourierMargin > 0.0)\n"
+  "  {\n"
+  "    fourierZ = max(fourierZ, fourierBufferDepth(min(fourierSceneDepth(fourierZ) +\n"
+  "      fourierHalo.z * min(fourierMargin / fourierHalo.y, 1.0), 1.0)));\n"
+  "  }\n"
+  "  gl_FragDepth = fourierZ;\n";
+
+constexpr const char* HaloColor =
+  "(fourierMargin > 0.0 ? fourierHaloColor : gl_FragData[0].rgb)";
+
+// Where a fragment lies across its line, from -1/2 to 1/2. Newer versions of VTK make short
+// segments longer, which would let halos of one line cover each other again and again.
+void InsertHalo(vtkLineSetsShaderCode::Shaders& shaders)
+{
+  vtkShader* geometry = shaders[vtkShader::Geometry];
+  InsertBefore(geometry, "//VTK::Light::Dec", "out float fourierAcrossGSOutput;\n");
+  InsertBefore(
+    geometry, "//VTK::Light::Impl", "fourierAcrossGSOutput = float((j + 1) % 2) - 0.5;\n");
+  std::string source = geometry->GetSource();
+  vtkShaderProgram::Substitute(
+    source, "screenDelta = max(0.f, screenDelta);", "screenDelta = 0.0;");
+  geometry->SetSource(source);
+}
+
 std::string Replaced(std::string text, const std::string& from, const std::string& to)
 {
   vtkShaderProgram::Substitute(text, from, to, true);
@@ -87,7 +121,8 @@ const char* GetPlace(const vtkFourierOpacityStage& stage, bool lateOpacity)
 
 //------------------------------------------------------------------------------
 void vtkFourierOpacityShader::Insert(std::map<vtkShader::Type, vtkShader*>& shaders,
-  const vtkFourierOpacityStage& stage, bool hasElements, bool lateOpacity)
+  const vtkFourierOpacityStage& stage, bool hasElements, bool lateOpacity,
+  bool hasHalo)
 {
   vtkShader* vertex = shaders[vtkShader::Vertex];
   vtkShader* fragment = shaders[vtkShader::Fragment];
@@ -110,11 +145,18 @@ void vtkFourierOpacityShader::Insert(std::map<vtkShader::Type, vtkShader*>& shad
   InsertBefore(vertex, "//VTK::Light::Dec", "uniform vec2 fourierShift;\n");
   InsertBefore(
     vertex, "//VTK::Light::Impl", "gl_Position.xy += fourierShift * gl_Position.w;\n");
-  InsertBefore(fragment, "//VTK::Light::Dec", stage.Declarations);
+  InsertBefore(fragment, "//VTK::Light::Dec",
+    stage.Declarations + (hasHalo ? HaloDeclarations : ""));
+  if (hasHalo)
+  {
+    InsertHalo(shaders);
+  }
 
   // The opacity is that of the colour where it is known there, and else that of VTK's variable.
   const char* place = GetPlace(stage, lateOpacity);
   const bool late = std::string(place) == "//VTK::DepthPeeling::Impl";
-  InsertBefore(fragment, place,
-    "  {\n" + Replaced(stage.Code, "%OPACITY", late ? "gl_FragData[0].a" : "opacity") + "  }\n");
+  std::string code = Replaced(stage.Code, "%OPACITY", late ? "gl_FragData[0].a" : "opacity");
+  code = Replaced(code, "%COLOR", hasHalo ? HaloColor : "gl_FragData[0].rgb");
+  code = Replaced(code, "%Z", hasHalo ? "fourierZ" : "gl_FragCoord.z");
+  InsertBefore(fragment, place, "  {\n" + std::string(hasHalo ? Halo : "") + code + "  }\n");
 }

@@ -35,7 +35,8 @@ struct vtkFourierOpacityStage
   std::string Extensions;
   /// Declarations for the fragment shader.
   std::string Declarations;
-  /// Code for the fragment shader's main function; it writes the outputs.
+  /// Code for the fragment shader's main function; it writes the outputs. %OPACITY, %COLOR and %Z
+  /// stand for opacity, colour and depth of the fragment.
   std::string Code;
 
   /// Whether the shaders need the importance of a fragment, its element, its opacity.
@@ -43,17 +44,25 @@ struct vtkFourierOpacityStage
   bool NeedsElement = false;
   bool NeedsOpacity = false;
   bool WritesDepth = false;
+  /// Whether it is drawn at reduced resolution.
+  bool IsReduced = false;
+  /// Width of the halos of lines in pixels; 0 where there are none.
+  double HaloWidth = 0.0;
+  /// How far they lean back, as a part of the range of depths.
+  double HaloDepth = 0.0;
 
   /// Set what the shaders need in the program in use.
   std::function<void(vtkShaderProgram*)> SetParameters;
 
   /// First element of the mapper that draws, among those of all.
   int FirstElement = 0;
+  /// Pixels of a row of the full picture to one of a reduced picture.
+  int Reduction = 1;
 
   /// Differs where shaders differ.
   std::string GetKey() const
   {
-    return std::to_string(this->Kind) + this->Extensions + this->Declarations + this->Code;
+    return std::to_string(this->Kind) + (this->HaloWidth > 0.0 ? "halo" : "") + this->Extensions + this->Declarations + this->Code;
   }
 };
 

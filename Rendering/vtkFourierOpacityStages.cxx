@@ -23,6 +23,10 @@ namespace
 constexpr const char* AtomicExtensions = "#extension GL_ARB_shader_image_load_store : require\n"
                                          "#extension GL_ARB_shader_bit_encoding : require\n";
 
+// What part of a pixel of a reduced picture a fragment covers: lines and points are drawn as wide
+// as in the full picture, that is, too wide.
+constexpr const char* Coverage = "uniform float fourierCoverage;\n";
+
 // Hidden fragments of reduced pictures, which have no depth buffer of their own.
 constexpr const char* DiscardHidden =
   "  ivec2 fourierPixel = ivec2(gl_FragCoord.xy);\n"
@@ -55,6 +59,8 @@ vtkFourierOpacityStages::vtkFourierOpacityStages(
   , Sums(2 * optimization->GetNumberOfBands() + 1)
   , Subset(optimization->GetSubset())
   , Exact(optimization->GetImportance() == vtkOpacityOptimization::ExactImportance)
+  , HaloWidth(optimization->GetHaloWidth())
+  , HaloDepth(optimization->GetHaloDepth())
   , IsLogarithmic(
       !isParallel && optimization->GetDepthScale() == vtkOpacityOptimization::LogarithmicDepth)
 {
@@ -158,7 +164,8 @@ vtkFourierOpacityStage vtkFourierOpacityStages::SumImportance(const Outputs& out
   stage.Kind = vtkFourierOpacityStage::ImportanceSums;
   stage.NeedsImportance = true;
   stage.NeedsElement = this->Subset > 1;
-  stage.Declarations = this->GetDeclarations(false);
+  stage.Declarations = this->GetDeclarations(false) + Coverage;
+  stage.IsReduced = true;
   stage.Code = DiscardHidden;
   if (this->Subset > 1)
   {
@@ -170,7 +177,8 @@ vtkFourierOpacityStage vtkFourierOpacityStages::SumImportance(const Outputs& out
     stage.Code += "  FourierTerms terms = fourierTerms(fourierD);\n"
                   "  float fourierValue = " +
       Number(static_cast<float>(this->Subset)) +
-      " * fourierImportanceVSOutput * fourierImportanceVSOutput;\n" + this->WriteSums(outputs);
+      " * fourierCoverage * fourierImportanceVSOutput * fourierImportanceVSOutput;\n" +
+      this->WriteSums(outputs);
   }
   if (outputs.Bounds)
   {
@@ -189,15 +197,16 @@ vtkFourierOpacityStage vtkFourierOpacityStages::FindOpacities() const
   stage.NeedsImportance = true;
   stage.NeedsElement = true;
   stage.Extensions = AtomicExtensions;
-  stage.Declarations = this->GetDeclarations(true) +
+  stage.IsReduced = true;
+  stage.Declarations = this->GetDeclarations(true) + Coverage +
     "layout(r32ui) uniform uimageBuffer fourierSmallest;\n";
   const bool paper = this->Blending == vtkOpacityOptimization::PaperFourier;
   // In a subset, those that count stand for several.
   const std::string own = this->Subset > 1
     ? "  float fourierOwn = fourierElementVSOutput % " + std::to_string(this->Subset) +
       " == 0 ? float(" + std::to_string(this->Subset) +
-      ") * fourierG * fourierG : 0.0;\n"
-    : "  float fourierOwn = fourierG * fourierG;\n";
+      ") * fourierCoverage * fourierG * fourierG : 0.0;\n"
+    : "  float fourierOwn = fourierCoverage * fourierG * fourierG;\n";
   stage.Code = std::string(DiscardHidden) +
     "  float fourierG = clamp(fourierImportanceVSOutput, 0.0, 1.0);\n" + own +
     "  fourierFetch(fourierPixel);\n"
@@ -224,11 +233,14 @@ vtkFourierOpacityStage vtkFourierOpacityStages::DrawOpaqueLayer() const
 {
   vtkFourierOpacityStage stage;
   stage.Kind = vtkFourierOpacityStage::OpaqueLayer;
+  stage.HaloWidth = this->HaloWidth;
+  stage.HaloDepth = this->HaloDepth;
   stage.NeedsOpacity = true;
   stage.WritesDepth = true;
+  stage.Declarations = this->HaloWidth > 0.0 ? this->GetDeclarations(false) : std::string();
   stage.Code = "  if (fourierOpacityVSOutput * %OPACITY < " + Number(this->OpaqueThreshold) +
     ")\n  {\n    discard;\n  }\n"
-    "  gl_FragData[0].a = 1.0;\n";
+    "  gl_FragData[0] = vec4(%COLOR, 1.0);\n";
   return stage;
 }
 
@@ -237,6 +249,8 @@ vtkFourierOpacityStage vtkFourierOpacityStages::SumOpticalDepth(const Outputs& o
 {
   vtkFourierOpacityStage stage;
   stage.Kind = vtkFourierOpacityStage::OpticalDepth;
+  stage.HaloWidth = this->HaloWidth;
+  stage.HaloDepth = this->HaloDepth;
   stage.NeedsOpacity = true;
   stage.NeedsElement = this->Subset > 1;
   stage.Declarations = this->GetDeclarations(false);
@@ -249,8 +263,8 @@ vtkFourierOpacityStage vtkFourierOpacityStages::SumOpticalDepth(const Outputs& o
       " != 0)\n  {\n    discard;\n  }\n";
   }
   stage.Code += std::string("  float fourierD = ") +
-    (this->HasBounds ? "fourierPixelDepth(fourierSceneDepth(gl_FragCoord.z))"
-                     : "fourierSceneDepth(gl_FragCoord.z)") +
+    (this->HasBounds ? "fourierPixelDepth(fourierSceneDepth(%Z))"
+                     : "fourierSceneDepth(%Z)") +
     ";\n"
     "  FourierTerms terms = fourierTerms(fourierD);\n"
     "  float fourierValue = " +
@@ -264,6 +278,8 @@ vtkFourierOpacityStage vtkFourierOpacityStages::AddColors() const
 {
   vtkFourierOpacityStage stage;
   stage.Kind = vtkFourierOpacityStage::Colors;
+  stage.HaloWidth = this->HaloWidth;
+  stage.HaloDepth = this->HaloDepth;
   stage.NeedsOpacity = true;
   stage.NeedsElement = this->HasSums && this->Subset > 1;
   stage.Declarations = this->GetDeclarations(this->HasSums);
@@ -271,8 +287,8 @@ vtkFourierOpacityStage vtkFourierOpacityStages::AddColors() const
                "  if (fourierAlpha <= 0.0 || fourierAlpha >= " +
     Number(this->OpaqueThreshold) + ")\n  {\n    discard;\n  }\n";
   const std::string depth = this->HasBounds
-    ? "  float fourierD = fourierPixelDepth(fourierSceneDepth(gl_FragCoord.z));\n"
-    : "  float fourierD = fourierSceneDepth(gl_FragCoord.z);\n";
+    ? "  float fourierD = fourierPixelDepth(fourierSceneDepth(%Z));\n"
+    : "  float fourierD = fourierSceneDepth(%Z);\n";
   if (this->HasSums)
   {
     const bool paper = this->Blending == vtkOpacityOptimization::PaperFourier;
@@ -303,7 +319,7 @@ vtkFourierOpacityStage vtkFourierOpacityStages::AddColors() const
   {
     stage.Code += "  float fourierWeight = fourierAlpha;\n";
   }
-  stage.Code += "  gl_FragData[0] = vec4(gl_FragData[0].rgb * fourierWeight, fourierWeight);\n";
+  stage.Code += "  gl_FragData[0] = vec4(%COLOR * fourierWeight, fourierWeight);\n";
   if (!this->HasSums)
   {
     stage.Code += "  gl_FragData[1] = vec4(1.0, opticalDepth(fourierAlpha), 0.0, 0.0);\n";
@@ -432,11 +448,12 @@ vtkFourierOpacityStage vtkFourierOpacityStages::ListImportance() const
   stage.NeedsImportance = true;
   stage.NeedsElement = true;
   stage.Extensions = vtkFragmentLists::GetExtensionSource();
-  stage.Declarations = this->GetDeclarations(false) + vtkFragmentLists::GetStoreSource();
+  stage.IsReduced = true;
+  stage.Declarations = this->GetDeclarations(false) + Coverage + vtkFragmentLists::GetStoreSource();
   stage.Code = std::string(DiscardHidden) +
     "  storeFragment(fourierPixel, gl_FragCoord.z,\n"
     "    uvec3(floatBitsToUint(clamp(fourierImportanceVSOutput, 0.0, 1.0)),\n"
-    "    uint(fourierElementVSOutput), 0u));\n"
+    "    uint(fourierElementVSOutput), floatBitsToUint(fourierCoverage)));\n"
     "  gl_FragData[0] = vec4(fourierD);\n"
     "  return;\n";
   return stage;
@@ -447,11 +464,14 @@ vtkFourierOpacityStage vtkFourierOpacityStages::ListColors() const
 {
   vtkFourierOpacityStage stage;
   stage.Kind = vtkFourierOpacityStage::ColorList;
+  stage.HaloWidth = this->HaloWidth;
+  stage.HaloDepth = this->HaloDepth;
   stage.NeedsOpacity = true;
   stage.Extensions = vtkFragmentLists::GetExtensionSource();
-  stage.Declarations = vtkFragmentLists::GetStoreSource() + vtkFragmentListPassStore;
-  stage.Code = "  storeFragmentColor(ivec2(gl_FragCoord.xy), gl_FragCoord.z,\n"
-               "    vec4(gl_FragData[0].rgb, fourierOpacityVSOutput * %OPACITY));\n";
+  stage.Declarations = (this->HaloWidth > 0.0 ? this->GetDeclarations(false) : std::string()) +
+    vtkFragmentLists::GetStoreSource() + vtkFragmentListPassStore;
+  stage.Code = "  storeFragmentColor(ivec2(gl_FragCoord.xy), %Z,\n"
+               "    vec4(%COLOR, fourierOpacityVSOutput * %OPACITY));\n";
   return stage;
 }
 
@@ -469,8 +489,9 @@ std::string vtkFourierOpacityStages::ResolveImportance() const
     "  int i = 0;\n"
     "  for (; i < count; ++i)\n"
     "  {\n"
-    "    float g = uintBitsToFloat(getFragment(i).y);\n"
-    "    total += g * g;\n"
+    "    uvec4 fragment = getFragment(i);\n"
+    "    float g = uintBitsToFloat(fragment.y);\n"
+    "    total += g * g * uintBitsToFloat(fragment.w);\n"
     "  }\n"
     "  float front = 0.0;\n"
     "  int j = 0;\n"
@@ -478,9 +499,10 @@ std::string vtkFourierOpacityStages::ResolveImportance() const
     "  {\n"
     "    uvec4 fragment = getFragment(j);\n"
     "    float g = uintBitsToFloat(fragment.y);\n"
-    "    float opacity = optimalOpacity(g, front, max(total - front - g * g, 0.0),\n"
+    "    float own = g * g * uintBitsToFloat(fragment.w);\n"
+    "    float opacity = optimalOpacity(g, front, max(total - front - own, 0.0),\n"
     "      fourierWeights);\n"
-    "    front += g * g;\n"
+    "    front += own;\n"
     "    if (int(fragment.z) >= 0)\n"
     "    {\n"
     "      imageAtomicMin(fourierSmallest, int(fragment.z), floatBitsToUint(opacity));\n"

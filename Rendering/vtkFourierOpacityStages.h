@@ -29,6 +29,8 @@ struct vtkFourierOpacityStages
   bool HasLists = false; ///< colours are blended by fragment lists
   bool HasBounds = false;
   bool HasOpaqueLayer = false;
+  double HaloWidth = 0.0;
+  double HaloDepth = 0.0;
   bool IsLogarithmic = false;
   float OpaqueThreshold = 2.0f;
 

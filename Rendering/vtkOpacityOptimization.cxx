@@ -86,6 +86,18 @@ void vtkOpacityOptimization::SetOpaqueThreshold(double opacity)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpacityOptimization::SetHaloWidth(double pixels)
+{
+  vtkLineSetsSetInRange(this, "HaloWidth", this->HaloWidth, pixels, 0.0, 100.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpacityOptimization::SetHaloDepth(double part)
+{
+  vtkLineSetsSetInRange(this, "HaloDepth", this->HaloDepth, part, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
 void vtkOpacityOptimization::SetAccumulationFrames(int frames)
 {
   vtkLineSetsSetInRange(this, "AccumulationFrames", this->AccumulationFrames, frames, 1, 4096);
@@ -115,6 +127,8 @@ void vtkOpacityOptimization::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DepthScale: " << this->DepthScale << "\n";
   os << indent << "TightDepth: " << this->TightDepth << "\n";
   os << indent << "OpaqueThreshold: " << this->OpaqueThreshold << "\n";
+  os << indent << "HaloWidth: " << this->HaloWidth << "\n";
+  os << indent << "HaloDepth: " << this->HaloDepth << "\n";
   os << indent << "AccumulationFrames: " << this->AccumulationFrames << "\n";
   os << indent << "MaximumListMemory: " << this->MaximumListMemory << "\n";
 }

@@ -212,6 +212,27 @@ public:
 
   ///@{
   /**
+   * Width in pixels of the halo on either side of a line, 0 to 100: a margin in the colour of the
+   * background, which parts the line from those that it crosses (Everts, Bekker, Roerdink and
+   * Isenberg, "Depth-Dependent Halos", 2009; paper, Sec. 5.7.3). Default 0, none. Lines alone have
+   * halos.
+   */
+  virtual void SetHaloWidth(double pixels);
+  vtkGetMacro(HaloWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far a halo leans back at its outer edge, as a part of the range of depths of all that is
+   * drawn, 0 to 1: lines that lie nearer behind a line are not hidden by its halo, so that bundles
+   * stay together. Default 0.05.
+   */
+  virtual void SetHaloDepth(double part);
+  vtkGetMacro(HaloDepth, double);
+  ///@}
+
+  ///@{
+  /**
    * Most pictures whose mean is drawn while neither view nor scene changes, 1 to 4096, each shifted
    * by less than a pixel (paper, Sec. 4.2, step 5): one picture is added each time the scene is
    * drawn. Default 1.
@@ -247,6 +268,8 @@ protected:
   int DepthScale = LinearDepth;
   bool TightDepth = true;
   double OpaqueThreshold = 0.98;
+  double HaloWidth = 0.0;
+  double HaloDepth = 0.05;
   int AccumulationFrames = 1;
   int MaximumListMemory = 1024;
 

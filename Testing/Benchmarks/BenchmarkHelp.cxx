@@ -30,21 +30,19 @@ std::string Wrap(const std::vector<std::string>& names)
   return text;
 }
 
-// Scenes and their weights, as --weights takes them, with text about the others at the end.
-std::vector<std::string> GetWeightTexts()
+// Scenes and what OpacityMethod has for them.
+std::vector<std::string> GetOpacityDefaults()
 {
   std::vector<std::string> texts;
-  const auto join = [](const std::array<double, 4>& weights)
+  for (const OpacityMethod::SceneDefaults& defaults : OpacityMethod::GetSceneDefaults())
   {
+    const std::string scene = defaults.Scene;
     std::ostringstream text;
-    text << weights[0] << "," << weights[1] << "," << weights[2] << "," << weights[3];
-    return text.str();
-  };
-  for (const OpacityMethod::SceneWeights& scene : OpacityMethod::GetSceneWeights())
-  {
-    texts.push_back(std::string("of ") + scene.Scene + " " + join(scene.Weights) + ",");
+    text << (scene.empty() ? "others" : scene) << " " << defaults.Weights[0] << ","
+         << defaults.Weights[1] << "," << defaults.Weights[2] << "," << defaults.Weights[3]
+         << " and " << defaults.Smoothing << (scene.empty() ? "" : ";");
+    texts.push_back(text.str());
   }
-  texts.push_back((texts.empty() ? "" : "of others ") + join(OpacityMethod::GetDefaultWeights()));
   return texts;
 }
 
@@ -128,28 +126,34 @@ SCENE or --scene SCENE   )"
                          (default 5)
 --subset N               opacity optimization takes one of N segments for its series, 1 to 10000
                          (default 1: all); fragment-list takes all
---smoothing N            steps by which optimized opacities are smoothed along the geometry, 0 to
-                         1000 (default 15)
+--line-segments N        of opacity optimization in all lines together, 1 to 16777215 (default
+                         50000)
+--patches N              of opacity optimization on all surfaces together, 1 to 16777215 (default
+                         500)
 --weights P,Q,R,LAMBDA   of the energy that opacity optimization minimizes: of opacity itself, of
                          what hides the important, and of clutter behind it, and the exponent that
                          emphasizes the important; p from 1e-6 to 1e6, q and r from 0 to 1e6,
-                         lambda from 0.01 to 100 (default )"
-      << Wrap(GetWeightTexts()) << R"()
+                         lambda from 0.01 to 100
+--smoothing N            steps by which optimized opacities are smoothed along the geometry, 0 to
+                         1000. Defaults of --weights and --smoothing:
+                         )"
+      << Wrap(GetOpacityDefaults()) << R"(
 --importance-sums SUMS   fourier (default), or exact: sums of importance over all fragments of a
                          pixel, in the order of their depths, as fragment-list has them
 --importance-reduction N importance is summed for one of N pixels of a row and of a column, 1 to 8
                          (default 2)
 --depth-scale SCALE      linear (default) or logarithmic: how series and bins divide the depth
---tight-depth SWITCH     on (default) or off: whether series and bins of a pixel's optical depth
-                         span only the depths that this pixel shows
---opaque-threshold T     opacity from which on a fragment hides what is behind it, 0.5 to 1 (default
-                         0.98; above 0.9999 none does); fourier-paper and fragment-list have none
+--tight-depth SWITCH     on (default) or off, for fourier: whether the series of a pixel's optical
+                         depth spans only the depths that this pixel shows
+--opaque-threshold T     for fourier, opacity from which on a fragment hides what is behind it, 0.5
+                         to 1 (default 0.98; above 0.9999 none does)
 --list-memory MIB        most memory for sorted fragments, 1 to 1048576 MiB (default 1024): what
                          does not fit at once is drawn in strips
 --radius R               of the tubes in units of the data (default: 1/512 of the longest side
                          of the bounds, that is, half a voxel of 256)
 --opacity A              0 to 1 (default 1)
 --size WxH               of the image (default 1024x768)
+--zoom Z                 magnify the middle of the picture, 0.1 to 100 times (default 1)
 --frames N               frames that count, after one that does not (default 5); the camera moves
                          by 2 degrees from frame to frame
 --animate                other lines in every frame that counts: points move along their lines
@@ -161,10 +165,10 @@ SCENE or --scene SCENE   )"
 --reference              also compare each picture of the first view with an exact one: keys rmse,
                          ssim. It has one ray per pixel, so that tubes thinner than a pixel, which
                          voxel draws by what they cover, differ from it. It has neither shadows
-                         nor occlusion, so methods that have are not compared. Needs lines,
-                         but methods of opacity optimization are compared with all fragments sorted, for any
-                         scene, in place of tubes: keys rmse, ssim with the same
-                         --importance-reduction, and rmse_full, ssim_full without
+                         nor occlusion, so methods that have are not compared. Needs lines. But
+                         methods of opacity optimization are compared with all fragments sorted,
+                         in any scene: keys rmse, ssim with the same --importance-reduction, and
+                         rmse_full, ssim_full without
 --reference-decoded      for voxel, also with an exact picture of the model: key rmse_decoded
 --occlusion-reference    for voxel-occlusion and voxel-full, also compare the occlusion of voxels with
                          brute force, and time it: keys densities_ms to bias_occlusion_seen
@@ -184,20 +188,22 @@ Keys: scene lines points polygons vertices method engine width height opacity ra
 animated frames median_ms min_ms max_ms cpu_ms rebuild_ms draw_ms build_ms first_frame_ms
 model_bytes gpu_bytes segments drawn importance importance_reduction bands subset weights smoothing
 sum_bytes fragments dropped depth_complexity peels shadows shadow_level cone_angle occlusion
-occlusion_radius occlusion_samples rmse ssim rmse_full ssim_full rmse_decoded densities_ms occlusion_ms rmse_occlusion
-bias_occlusion rmse_occlusion_lines bias_occlusion_lines rmse_occlusion_seen bias_occlusion_seen
-ratio_tubes ratio_peeling ratio_lines ratio_fragment_list ratio_voxel renderer vtk threads error.
+occlusion_radius occlusion_samples rmse ssim rmse_full ssim_full rmse_decoded densities_ms
+occlusion_ms rmse_occlusion bias_occlusion rmse_occlusion_lines bias_occlusion_lines
+rmse_occlusion_seen bias_occlusion_seen ratio_tubes ratio_peeling ratio_lines ratio_fragment_list
+ratio_voxel renderer vtk threads error.
 Keys that do not apply are left out.
 
 Times are wall clock times of a frame until OpenGL has finished, but cpu_ms is the median of the
 processor time of all threads, which other programs disturb less; build_ms is the time to make the
-model, the tubes or, for opacity optimization, the segments and patches, first_frame_ms that of the first frame after it, with uploads and shaders.
+model, the tubes or, for opacity optimization, the segments and patches, first_frame_ms that of the
+first frame after it, with uploads and shaders.
 
 With --animate (animated is 1 then) median_ms, min_ms, max_ms and cpu_ms are of whole frames, from
 the new lines to the picture. rebuild_ms is the median of the part in which voxel methods made
-their model, tubes their triangles or opacity optimization its segments, draw_ms that of the rest of the frame; uploads and, where
-shadows or occlusion need them, levels and densities are in the rest. Lines are drawn as they are
-and have neither of the two.
+their model, tubes their triangles or opacity optimization its segments, draw_ms that of the rest of
+the frame; uploads and, where shadows or occlusion need them, levels and densities are in the rest.
+Lines are drawn as they are and have neither of the two.
 
 densities_ms and occlusion_ms are medians of three times that the densities, and the occlusion of all
 voxels that is computed from them, take from scratch; compare build_ms. Brute force casts 2500 rays

@@ -19,11 +19,13 @@ namespace linesets
 /// Of the methods with opacity optimization: Baeza Rojo et al., 2019.
 struct OpacityOptions
 {
-  int Bands = 5;      ///< of the Fourier series, 1 to 16
-  int Subset = 1;     ///< one of so many segments is taken for the series, 1 to 10000
-  int Smoothing = 15; ///< steps of smoothing of opacities along the geometry, 0 to 1000
-  /// p (1e-6 to 1e6), q and r (0 to 1e6) and lambda (0.01 to 100) of the energy, Eq. 1. Without,
-  /// those of the scene.
+  int Bands = 5;            ///< of the Fourier series, 1 to 16
+  int Subset = 1;           ///< one of so many segments is taken for the series, 1 to 10000
+  int LineSegments = 50000; ///< of all lines together, 1 to 2^24-1
+  int Patches = 500;        ///< of all surfaces together, 1 to 2^24-1
+  /// Steps of smoothing of opacities along the geometry, 0 to 1000, and p (1e-6 to 1e6), q and r (0
+  /// to 1e6) and lambda (0.01 to 100) of the energy, Eq. 1. Without, those of the scene.
+  std::optional<int> Smoothing;
   std::optional<std::array<double, 4>> Weights;
   std::string ImportanceSums = "fourier"; ///< or exact
   int ImportanceReduction = 2;            ///< pixels of a side for a sum of importance, 1 to 8
@@ -44,6 +46,7 @@ struct BenchmarkOptions
   int Vertices = 0;
   int Width = 1024;
   int Height = 768;
+  double Zoom = 1.0; ///< of the middle of the picture, 0.1 to 100
   double Opacity = 1.0;
   int Frames = 5;
   int Threads = 0; ///< 0: all

@@ -49,6 +49,7 @@ void PlaceCamera(const BenchmarkInput& input, int frame)
   camera->SetViewUp(0.0, 0.0, 1.0);
   camera->Azimuth(DegreesPerFrame * frame);
   camera->OrthogonalizeViewUp();
+  camera->Zoom(input.Options.Zoom);
   camera->SetClippingRange(
     std::max(0.01 * distance, distance - 1.01 * reach), distance + 1.01 * reach);
 }

@@ -28,6 +28,10 @@ void OpacityJudge::DrawExact(Exact& exact, int reduction, const std::string& nam
   const auto method = OpacityMethod::MakeExact(reduction);
   ErrorRecorder recorder;
   method->Prepare(this->Input);
+  if (this->Input.Options.Animate)
+  {
+    method->Update(this->Input); // to the lines of the last frame
+  }
   this->Draw(*method, exact.Picture, name);
   exact.DepthComplexity = method->GetMeanDepthComplexity();
   const long long dropped = method->GetNumberOfDroppedFragments();

@@ -35,18 +35,17 @@ public:
   /// The one of this name, or nullptr.
   static const Variant* FindVariant(const std::string& name);
 
-  /// Weights p, q, r and lambda that suit a scene.
-  struct SceneWeights
+  /// Weights p, q, r and lambda, and steps of smoothing, that suit a scene.
+  struct SceneDefaults
   {
     const char* Scene;
     std::array<double, 4> Weights;
+    int Smoothing;
   };
 
-  /// Those of the scenes that need others than GetDefaultWeights().
-  static const std::vector<SceneWeights>& GetSceneWeights();
-
-  /// Those of all other data: the defaults of vtkOpacityOptimization.
-  static std::array<double, 4> GetDefaultWeights() { return { { 1.0, 50.0, 50.0, 2.0 } }; }
+  /// Those of the scenes that need others than the defaults of vtkOpacityOptimization. The last
+  /// one, without a name, is these.
+  static const std::vector<SceneDefaults>& GetSceneDefaults();
 
   explicit OpacityMethod(const std::string& name);
   ~OpacityMethod() override;

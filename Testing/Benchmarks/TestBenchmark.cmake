@@ -3,25 +3,7 @@
 #
 # Guards linesets-bench from outside: exit status, what it says about wrong command lines, and the
 # keys of its JSON. Run as: cmake -DBENCH=program -DDATA=folder -P TestBenchmark.cmake
-set(failures 0)
-
-macro (fail message)
-  message("failed: ${message}")
-  math(EXPR failures "${failures} + 1")
-endmacro ()
-
-# run(<status> <text> <arguments>...): the exit status, and a regular expression that the output
-# matches. Leaves the output in `output`.
-macro (run status text)
-  execute_process(COMMAND "${BENCH}" ${ARGN}
-    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE errors)
-  if (NOT result STREQUAL "${status}")
-    fail("${ARGN}: status ${result} instead of ${status}\n${output}${errors}")
-  endif ()
-  if (NOT "${output}${errors}" MATCHES "${text}")
-    fail("${ARGN}: '${text}' is not in\n${output}${errors}")
-  endif ()
-endmacro ()
+include("${CMAKE_CURRENT_LIST_DIR}/TestBenchmarkMacros.cmake")
 
 run(0 "--methods" --help)
 run(2 "no scene" --frames 1)
@@ -45,27 +27,6 @@ run(2 "unknown option --animated" tornado --animated)
 run(2 "--face-bins: 33 is neither" tornado --face-bins 33)
 run(2 "--json needs a value" tornado --json)
 run(2 "--light: right,studio is none of" tornado --light right,studio)
-foreach (bands IN ITEMS 0 17 2.5)
-  run(2 "--bands: ${bands} is not a whole number from 1 to 16" tornado --bands ${bands})
-endforeach ()
-run(2 "--subset: 0 is not" tornado --subset 0)
-run(2 "--subset: 10001 is not" tornado --subset 10001)
-run(2 "--importance-reduction: 9 is not" tornado --importance-reduction 9)
-run(2 "--depth-scale: cubic is none of linear logarithmic" tornado --depth-scale cubic)
-run(2 "--tight-depth: yes is none of on off" tornado --tight-depth yes)
-run(2 "--opaque-threshold: 0.4 is not" tornado --opaque-threshold 0.4)
-run(2 "--list-memory: 0 is not" tornado --list-memory 0)
-run(2 "--color: red is none of scalars importance" tornado --color red)
-run(2 "--smoothing: -1 is not" tornado --smoothing -1)
-run(2 "--smoothing: 1001 is not" tornado --smoothing 1001)
-run(2 "--weights: 1,2,3 is not of the form P,Q,R,LAMBDA" tornado --weights 1,2,3)
-run(2 "--weights: 1,2,3,4,5 is not of the form" tornado --weights 1,2,3,4,5)
-run(2 "--weights, p: 0 is not" tornado --weights 0,2,3,4)
-run(2 "--weights, q: -2 is not" tornado --weights 1,-2,3,4)
-run(2 "--weights, r: x is not" tornado --weights 1,2,x,4)
-run(2 "--weights, lambda: 0.009 is not" tornado --weights 1,2,3,0.009)
-run(2 "--weights, lambda:  is not" tornado --weights 1,2,3,)
-run(2 "--importance-sums: sorted is none of fourier exact" tornado --importance-sums sorted)
 run(2 "points has no number of vertices" points --vertices 10)
 run(2 "surfaces needs from 2 to" surfaces --lines 1)
 run(2 "do not apply to files" lines.vtp --lines 10)
@@ -302,115 +263,6 @@ foreach (object IN LISTS objects)
   endif ()
 endforeach ()
 
-# What opacity optimization takes is taken, at both ends of the ranges, and told as the mapper has it.
-foreach (weights IN ITEMS 1e-06,0,0,0.01 1e+06,1e+06,1e+06,100)
-  string(REPLACE "+" "[+]" told "${weights}")
-  run(0 "\"importance\": \"exact\", \"importance_reduction\": 3, \"bands\": 16, \"subset\": 7, \"weights\": \"${told}\", \"smoothing\": 0,"
-    tornado --lines 5 --vertices 10 --size 16x12 --frames 1 --methods fourier --bands 16 --subset 7
-    --smoothing 0 --weights ${weights} --importance-sums exact --importance speed
-    --importance-reduction 3 --depth-scale logarithmic --tight-depth off --opaque-threshold 1
-    --list-memory 1)
-endforeach ()
-
-# Opacity optimization: all methods, with the keys that apply; against the exact picture the sorted
-# fragments have no error at all, though they have drawn other views before, and mean colours, which
-# know no order, have the largest. (A lost option or another camera gives fragment-list an error.)
-set(blendings fourier fourier-paper bins weighted-average weighted-blended fragment-list)
-string(REPLACE ";" "," methods "${blendings}")
-set(optimized tornado --lines 100 --vertices 60 --size 160x120 --frames 2 --line-width 3)
-run(0 "" ${optimized} --methods ${methods} --reference --importance-reduction 3 --weights 1,20,30,1.5
-  --smoothing 4)
-set(common scene lines vertices method width height opacity radius light frames median_ms min_ms
-  max_ms cpu_ms build_ms first_frame_ms importance importance_reduction weights smoothing gpu_bytes
-  sum_bytes depth_complexity rmse ssim rmse_full ssim_full ratio_fragment_list renderer vtk threads)
-set(exact "")
-foreach (method IN LISTS blendings)
-  set(expected ${common} bands subset)
-  if (method STREQUAL "fragment-list")
-    set(expected ${common} fragments dropped)
-  endif ()
-  string(REGEX MATCH "[^\n]*\"method\": \"${method}\"[^\n]*" object "${output}")
-  string(REGEX MATCHALL "\"[a-z_]*\":" found "${object}")
-  string(REGEX REPLACE "[\":]" "" found "${found}")
-  list(SORT found)
-  list(SORT expected)
-  if (NOT found STREQUAL expected)
-    fail("keys of ${method}: ${found} instead of ${expected}")
-  endif ()
-  foreach (key IN ITEMS rmse depth_complexity)
-    string(REGEX MATCH "\"${key}\": ([0-9.e-]*)" match "${object}")
-    set(${key}_${method} "${CMAKE_MATCH_1}")
-  endforeach ()
-endforeach ()
-if (NOT rmse_fragment-list STREQUAL "0")
-  fail("fragment-list is not exact: ${rmse_fragment-list}")
-endif ()
-foreach (method IN ITEMS fourier fourier-paper bins weighted-blended)
-  if (NOT rmse_${method} GREATER 0 OR NOT rmse_${method} LESS rmse_weighted-average)
-    fail("rmse of ${method}: ${rmse_${method}}, of weighted-average: ${rmse_weighted-average}")
-  endif ()
-endforeach ()
-if (NOT rmse_fourier LESS rmse_fourier-paper)
-  fail("rmse of fourier: ${rmse_fourier}, of fourier-paper: ${rmse_fourier-paper}")
-endif ()
-if (NOT depth_complexity_fragment-list GREATER 1
-    OR NOT depth_complexity_fragment-list EQUAL depth_complexity_fourier)
-  fail("depth complexity: ${depth_complexity_fragment-list}, reference ${depth_complexity_fourier}")
-endif ()
-# Exact sums of importance leave the error of blending.
-run(0 "" ${optimized} --methods fourier --reference --importance-reduction 3 --weights 1,20,30,1.5
-  --smoothing 4 --importance-sums exact)
-string(REGEX MATCH "\"rmse\": ([0-9.e-]*)" match "${output}")
-if (NOT CMAKE_MATCH_1 OR NOT CMAKE_MATCH_1 LESS rmse_fourier
-    OR NOT output MATCHES "\"fragments\": [1-9][0-9]*, \"dropped\": 0,")
-  fail("exact sums: ${output}, rmse of series: ${rmse_fourier}")
-endif ()
-
-# Points and surfaces are held against exact pictures, too, beside methods that have none; lines that
-# move are followed; each takes the colours that are asked for.
-foreach (scene IN ITEMS "points;--lines;500" "surfaces;--lines;5;--vertices;9")
-  run(0 "\"method\": \"fragment-list\"[^\n]*\"rmse\": 0," ${scene} --size 64x48 --frames 1
-    --reference --methods lines,fragment-list)
-  if (output MATCHES "\"method\": \"lines\"[^\n]*\"rmse\"")
-    fail("an exact picture of ${scene}: ${output}")
-  endif ()
-endforeach ()
-run(0 "\"animated\": 1,[^\n]*\"rebuild_ms\": [0-9.]+[^\n]*\"rmse\": 0," ${optimized} --animate
-  --methods fragment-list --reference)
-set(file "${CMAKE_CURRENT_BINARY_DIR}/TestBenchmark-color")
-foreach (method IN ITEMS lines fourier)
-  set(hashes "")
-  foreach (color IN ITEMS default scalars importance)
-    set(option --color ${color})
-    if (color STREQUAL "default")
-      set(option "")
-    endif ()
-    run(0 "" ${optimized} --frames 1 --methods ${method} --image "${file}" ${option})
-    file(SHA256 "${file}-${method}.png" hash_${color})
-    file(REMOVE "${file}-${method}.png")
-  endforeach ()
-  set(same scalars)
-  if (method STREQUAL "fourier")
-    set(same importance)
-  endif ()
-  if (hash_scalars STREQUAL hash_importance OR NOT hash_default STREQUAL hash_${same})
-    fail("colours of ${method}")
-  endif ()
-endforeach ()
-
-# Without importance there is nothing to optimize.
-set(file "${CMAKE_CURRENT_BINARY_DIR}/TestBenchmark-bare.vtk")
-file(WRITE "${file}" "# vtk DataFile Version 3.0\nlines\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n"
-  "0 0 0  1 0 0\nLINES 1 3\n2 0 1\n")
-run(1 "\"error\": \"preparing: the points have neither an array importance nor scalars"
-  "${file}" --methods fourier,lines --frames 1 --size 16x12)
-if (NOT output MATCHES "\"method\": \"lines\"[^\n]*\"median_ms\"")
-  fail("lines without importance: ${output}")
-endif ()
-file(REMOVE "${file}")
-run(1 "no array of numbers vorticity at the points, whose arrays are: speed importance" ${small}
-  --importance vorticity)
-
 # Points and surfaces: lines draws them, and does so without being asked; what needs lines says so.
 run(0 "\"scene\": \"points\", \"points\": 500, \"vertices\": 500, \"method\": \"lines\"" points
   --lines 500 --size 64x48 --frames 1)
@@ -468,6 +320,4 @@ if (NOT output MATCHES "\"method\": \"line-tubes\"[^\n]*\"median_ms\"")
   fail("line-tubes after a failure: ${output}")
 endif ()
 
-if (failures GREATER 0)
-  message(FATAL_ERROR "${failures} checks failed")
-endif ()
+finish_checks()

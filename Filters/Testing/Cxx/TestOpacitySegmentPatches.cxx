@@ -8,6 +8,7 @@
  */
 
 #include "OpacitySegmentTesting.h"
+#include "vtkIdList.h"
 #include "vtkSphereSource.h"
 
 using namespace OpacitySegmentTesting;
@@ -98,6 +99,32 @@ void TestPlane(Checks& check)
   }
 }
 
+/// On a regular grid, many points are equally far from two seeds: they belong to the first one.
+void TestTies(Checks& check)
+{
+  Segments segments;
+  segments.Filter->SetNumberOfPatches(40);
+  segments.Update(MakeGrid(40, 0.0));
+  const std::vector<Point> seeds = FindSeeds(check, segments);
+  const std::vector<Point> points = GetPoints(segments.Output);
+  int ties = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    std::size_t first = 0;
+    for (std::size_t k = 1; k < seeds.size(); ++k)
+    {
+      first = Length(points[i] - seeds[k]) < Length(points[i] - seeds[first]) - 1e-12 ? k : first;
+    }
+    const int id = segments.GetId(static_cast<vtkIdType>(i));
+    ties += std::abs(segments.GetDistance(static_cast<vtkIdType>(i), 0) -
+              segments.GetDistance(static_cast<vtkIdType>(i), 1)) < 1e-6
+      ? 1
+      : 0;
+    check(id == static_cast<int>(first), "of two seeds that are equally far, the first one counts");
+  }
+  check(ties > 20, "there are ties");
+}
+
 void TestSphere(Checks& check)
 {
   const int resolutions[] = { 26, 51 };
@@ -122,6 +149,76 @@ void TestSphere(Checks& check)
       errors.Relative < limits[i] && errors.Nearest < limits[i] && errors.CutOff < 1.5 * limits[i],
       "distances on a sphere");
   }
+}
+
+/// Long triangles in planes that contradict each other: distances do not improve for minutes, and
+/// lie between those through the air and those along edges.
+void TestSlivers(Checks& check)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(200);
+  sphere->SetPhiResolution(100);
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->Update();
+  std::vector<Point> points = GetPoints(sphere->GetOutput());
+  for (Point& point : points)
+  {
+    point[0] *= 10.0;
+  }
+  vtkSmartPointer<vtkPolyData> data = MakeData(points);
+  data->SetPolys(sphere->GetOutput()->GetPolys());
+  Segments segments;
+  segments.Filter->SetNumberOfPatches(100);
+  segments.Update(data);
+  segments.CheckArrays(check, "slivers");
+  const std::vector<Point> seeds = FindSeeds(check, segments);
+  double smallest = 1e30;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      const int id = segments.GetId(static_cast<vtkIdType>(i), j);
+      const double air = Length(points[i] - seeds[static_cast<std::size_t>(id)]);
+      const double found = segments.GetDistance(static_cast<vtkIdType>(i), j);
+      smallest = air > 0.0 ? std::min(smallest, found / air) : smallest;
+    }
+  }
+  // The first seed is at one tip, from which Bellman-Ford along the edges bounds its distances.
+  std::vector<double> alongEdges(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    alongEdges[i] = points[i] == seeds[0] ? 0.0 : 1e30;
+  }
+  vtkNew<vtkIdList> ids;
+  for (bool isChanged = true; isChanged;)
+  {
+    isChanged = false;
+    for (vtkIdType cell = 0; cell < data->GetPolys()->GetNumberOfCells(); ++cell)
+    {
+      data->GetPolys()->GetCellAtId(cell, ids);
+      for (vtkIdType i = 0; i < 6; ++i)
+      {
+        const std::size_t a = static_cast<std::size_t>(ids->GetId(i % 3));
+        const std::size_t b = static_cast<std::size_t>(ids->GetId((i + 1 + i / 3) % 3));
+        const double way = alongEdges[a] + Length(points[a] - points[b]);
+        isChanged = isChanged || way < alongEdges[b];
+        alongEdges[b] = std::min(alongEdges[b], way);
+      }
+    }
+  }
+  double largest = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (int j = 0; j < 3 && alongEdges[i] > 0.0; ++j)
+    {
+      largest = segments.GetId(static_cast<vtkIdType>(i), j) == 0
+        ? std::max(largest, segments.GetDistance(static_cast<vtkIdType>(i), j) / alongEdges[i])
+        : largest;
+    }
+  }
+  std::cout << "slivers: " << smallest << " to " << largest << std::endl;
+  check(largest < 1.0001, "no way is longer than along the edges");
+  check(smallest > 0.9, "no way is much shorter than through the air");
 }
 
 void TestFarthestPoints(Checks& check)
@@ -361,19 +458,18 @@ void TestPolygons(Checks& check)
     check(errors.Relative < 1e-6 && errors.Nearest * n < 1e-5 && errors.CutOff * n < 0.1,
       "distances over polygons of " + std::to_string(cells[0].size()) + " points");
   }
-  // A quad like an arrow head: the way along its tip must not lead through the notch.
+  // A quad like an arrow head; its shorter diagonal lies outside.
   vtkSmartPointer<vtkPolyData> arrow =
     MakeData({ { 0.0, 0.0, 0.0 }, { 1.0, 3.0, 0.0 }, { 0.0, 2.9, 0.0 }, { -1.0, 3.0, 0.0 } });
   arrow->SetPolys(MakeCells({ { 0, 1, 2, 3 } }));
   Segments segments;
   segments.Filter->SetNumberOfPatches(2);
   segments.Update(arrow);
-  double largest = 0.0;
-  for (vtkIdType i = 0; i < 4; ++i)
-  {
-    largest = std::max(largest, segments.GetDistance(i, 1));
-  }
-  check(std::abs(largest - std::sqrt(10.0)) < 1e-6, "a concave quad is parted inside");
+  // The seeds are points 1 and 0, and from point 3 to 1 the way leads through the notch's corner.
+  check(segments.GetId(1) == 0 && segments.GetId(0) == 1 &&
+      std::abs(segments.GetDistance(3, 0) - 2.0 * std::sqrt(1.01)) < 1e-6 &&
+      std::abs(segments.GetDistance(3, 1) - std::sqrt(10.0)) < 1e-6,
+    "a concave quad is parted inside");
 }
 
 void TestPieces(Checks& check)
@@ -431,7 +527,9 @@ int TestOpacitySegmentPatches(int, char*[])
 {
   Checks check;
   TestPlane(check);
+  TestTies(check);
   TestSphere(check);
+  TestSlivers(check);
   TestFarthestPoints(check);
   TestContinuity(check);
   TestNeighbors(check);
