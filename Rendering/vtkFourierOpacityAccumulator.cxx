@@ -34,12 +34,12 @@ int vtkFourierOpacityAccumulator::Begin(vtkRenderer* renderer, vtkObject* settin
   int size[2];
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
-  key.insert(key.end(), { ToNumber(size[0]), ToNumber(size[1]), ToNumber(origin[0]),
-                          ToNumber(origin[1]), ToNumber(settings->GetMTime()) });
+  key.insert(key.end(),
+    { ToNumber(size[0]), ToNumber(size[1]), ToNumber(origin[0]), ToNumber(origin[1]),
+      ToNumber(settings->GetMTime()) });
   vtkCamera* camera = renderer->GetActiveCamera();
   AddMatrix(camera->GetModelViewTransformMatrix(), key);
-  AddMatrix(
-    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0), key);
+  AddMatrix(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0), key);
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator cookie;
   props->InitTraversal(cookie);

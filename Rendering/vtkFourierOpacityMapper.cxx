@@ -7,6 +7,7 @@
 
 #include "vtkActor.h"
 #include "vtkFloatArray.h"
+#include "vtkFourierOpacityElements.h"
 #include "vtkFourierOpacityPainter.h"
 #include "vtkFourierOpacityShader.h"
 #include "vtkFourierOpacityStage.h"
@@ -68,8 +69,7 @@ namespace
 // Values of the points of a copy in which points of the input are repeated.
 vtkSmartPointer<vtkFloatArray> Repeat(vtkFloatArray* values, vtkPolyData* drawn)
 {
-  vtkDataArray* ids =
-    drawn->GetPointData()->GetArray(vtkIlluminatedLineVertices::GetPointIdName());
+  vtkDataArray* ids = drawn->GetPointData()->GetArray(vtkIlluminatedLineVertices::GetPointIdName());
   if (!values || !ids)
   {
     return values;
@@ -222,9 +222,8 @@ vtkMTimeType vtkFourierOpacityMapper::GetMTime()
 {
   // A picture depends on the optimization, but none of the buffers does.
   const vtkMTimeType time = this->Superclass::GetMTime();
-  return this->Internals->IsRendering
-    ? time
-    : std::max(time, this->Internals->Optimization->GetMTime());
+  return this->Internals->IsRendering ? time
+                                      : std::max(time, this->Internals->Optimization->GetMTime());
 }
 
 //------------------------------------------------------------------------------
@@ -344,7 +343,8 @@ void vtkFourierOpacityMapper::RenderAlone(vtkRenderer* renderer, vtkActor* actor
   if (frame != internals.Frame || actor != internals.LastActor || !internals.Layer.HasPicture())
   {
     std::string warning;
-    error = internals.Painter->Draw(renderer, { { actor, this } }, internals.Optimization,
+    error = internals.Painter->Draw(
+      renderer, { { actor, this } }, internals.Optimization,
       [&](const vtkFourierOpacityPainter::Item& item, const vtkFourierOpacityStage& stage)
       { item.Mapper->RenderStage(renderer, item.Actor, stage, false); },
       vtkFourierOpacityPainter::Picture, warning);
@@ -378,9 +378,7 @@ void vtkFourierOpacityMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
   vtkOpenGLVertexBufferObjectCache* cache = window->GetVBOCache();
   const vtkFourierOpacityVertices& vertices = this->Internals->Vertices;
   const auto add = [&](const char* name, vtkFloatArray* values)
-  {
-    this->VBOs->CacheDataArray(name, Repeat(values, this->CurrentInput), cache, VTK_FLOAT);
-  };
+  { this->VBOs->CacheDataArray(name, Repeat(values, this->CurrentInput), cache, VTK_FLOAT); };
   add(vtkFourierOpacityShader::ImportanceAttribute, vertices.GetImportance());
   add(vtkFourierOpacityShader::ElementsAttribute, vertices.GetElements());
   add(vtkFourierOpacityShader::WeightsAttribute, vertices.GetWeights());
@@ -432,9 +430,8 @@ void vtkFourierOpacityMapper::ReplaceShaderValues(
 }
 
 //------------------------------------------------------------------------------
-void vtkFourierOpacityMapper::ReplaceShaderRenderPass(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor,
-  bool prePass)
+void vtkFourierOpacityMapper::ReplaceShaderRenderPass(std::map<vtkShader::Type, vtkShader*> shaders,
+  vtkRenderer* renderer, vtkActor* actor, bool prePass)
 {
   // Stages are drawn to the painter's own textures; passes get the layer.
   if (!this->Internals->Stage)
@@ -568,8 +565,8 @@ void vtkFourierOpacityMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ImportanceArrayName: " << this->ImportanceArrayName << "\n";
-  os << indent << "ImportanceRange: " << this->ImportanceRange[0] << " "
-     << this->ImportanceRange[1] << "\n";
+  os << indent << "ImportanceRange: " << this->ImportanceRange[0] << " " << this->ImportanceRange[1]
+     << "\n";
   os << indent << "NumberOfLineSegments: " << this->NumberOfLineSegments << "\n";
   os << indent << "NumberOfPatches: " << this->NumberOfPatches << "\n";
   os << indent << "Optimization:\n";

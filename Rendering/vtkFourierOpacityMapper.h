@@ -5,10 +5,10 @@
  * @brief   draws points, lines and surfaces and fades what hides the important ones
  *
  * Takes the place of a vtkPolyDataMapper. An array tells how important each point or cell is, and
- * the opacity of everything follows from it for each view: what is important stays opaque, what lies
- * before it or clutters the view behind it fades (Baeza Rojo, Gross and Guenther, "Fourier Opacity
- * Optimization for Scalable Exploration", IEEE TVCG 26(11), 2020). vtkOpacityOptimization has the
- * parameters and tells the method.
+ * the opacity of everything follows from it for each view: what is important stays opaque, what
+ * lies before it or clutters the view behind it fades (Baeza Rojo, Gross and Guenther, "Fourier
+ * Opacity Optimization for Scalable Exploration", IEEE TVCG 26(11), 2020). vtkOpacityOptimization
+ * has the parameters and tells the method.
  *
  * @code{.cpp}
  * vtkNew<vtkFourierOpacityMapper> mapper;
@@ -24,21 +24,21 @@
  * of the scene it is one translucent layer. vtkFourierOpacityPass does it for all actors of a
  * renderer together, so that they fade for each other.
  *
- * <b>What is drawn</b> is what vtkIlluminatedLineMapper draws: vertices, lines, polygons and strips;
- * lines are lit as thin cylinders, surfaces as VTK lights them. Colours by scalars, clipping
- * planes, textures and selection are those of vtkPolyDataMapper. The optimized opacity multiplies
- * that of colours and property. Everything is drawn in the translucent pass.
+ * <b>What is drawn</b> is what vtkIlluminatedLineMapper draws: vertices, lines, polygons and
+ * strips; lines are lit as thin cylinders, surfaces as VTK lights them. Colours by scalars,
+ * clipping planes, textures and selection are those of vtkPolyDataMapper. The optimized opacity
+ * multiplies that of colours and property. Everything is drawn in the translucent pass.
  *
  * <b>Segments.</b> Opacity belongs to segments of lines, patches of surfaces and single points, and
- * is interpolated between their centres. Where the input lacks the arrays of vtkOpacitySegments, the
- * mapper runs that filter once for each new input. Where a cell is drawn between points of different
- * segments, it counts as its last point's.
+ * is interpolated between their centres. Where the input lacks the arrays of vtkOpacitySegments,
+ * the mapper runs that filter once for each new input. Where a cell is drawn between points of
+ * different segments, it counts as its last point's.
  *
  * <b>Selection</b> leaves out what is fainter than 0.1 in the last picture of the renderer.
  *
- * <b>Needs</b> OpenGL 4.2. Where there is less, an error says so, once, and nothing is drawn by this
- * mapper; the rest of the scene is. Wrong input costs nothing but itself: without a usable array
- * nothing is important, and everything is opaque; a warning tells it once.
+ * <b>Needs</b> OpenGL 4.2. Where there is less, an error says so, once, and nothing is drawn by
+ * this mapper; the rest of the scene is. Wrong input costs nothing but itself: without a usable
+ * array nothing is important, and everything is opaque; a warning tells it once.
  *
  * @sa vtkFourierOpacityPass vtkOpacityOptimization vtkOpacitySegments vtkIlluminatedLineMapper
  */
@@ -93,10 +93,7 @@ public:
    * array's finite values counts. NaN is an error.
    */
   virtual void SetImportanceRange(double low, double high);
-  void SetImportanceRange(const double range[2])
-  {
-    this->SetImportanceRange(range[0], range[1]);
-  }
+  void SetImportanceRange(const double range[2]) { this->SetImportanceRange(range[0], range[1]); }
   vtkGetVector2Macro(ImportanceRange, double);
   ///@}
 
@@ -118,8 +115,8 @@ public:
   vtkGetMacro(NumberOfPatches, int);
   ///@}
 
-  /// Bytes on the graphics device for sums, layers and opacities, of the mapper by itself; and those
-  /// of the sums alone, which the paper counts. 0 before the first picture.
+  /// Bytes on the graphics device for sums, layers and opacities, of the mapper by itself; and
+  /// those of the sums alone, which the paper counts. 0 before the first picture.
   vtkIdType GetNumberOfBytes();
   vtkIdType GetNumberOfSumBytes();
 
@@ -157,8 +154,8 @@ protected:
     vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderValues(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
-  void ReplaceShaderRenderPass(std::map<vtkShader::Type, vtkShader*> shaders,
-    vtkRenderer* renderer, vtkActor* actor, bool prePass) override;
+  void ReplaceShaderRenderPass(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
+    vtkActor* actor, bool prePass) override;
   void SetMapperShaderParameters(
     vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
 

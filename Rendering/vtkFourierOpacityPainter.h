@@ -22,28 +22,19 @@
 #ifndef vtkFourierOpacityPainter_h
 #define vtkFourierOpacityPainter_h
 
-#include "vtkFourierOpacityElements.h"
-#include "vtkFourierOpacityStage.h"
-#include "vtkFourierOpacityTargets.h"
-#include "vtkFourierOpacityView.h"
-#include "vtkFragmentLists.h"
-#include "vtkLineSetsBufferTexture.h"
-#include "vtkLineSetsSceneDepth.h"
+#include "vtkFourierOpacityFrame.h"
+#include "vtkFourierOpacitySteps.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkWeakPointer.h"
 
-#include <functional>
 #include <list>
 #include <memory>
 #include <string>
 #include <vector>
 
-class vtkActor;
-class vtkFourierOpacityMapper;
 class vtkOpacityOptimization;
 class vtkRenderer;
-class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
 
@@ -53,13 +44,7 @@ public:
   vtkFourierOpacityPainter();
   ~vtkFourierOpacityPainter();
 
-  struct Item
-  {
-    vtkActor* Actor = nullptr;
-    vtkFourierOpacityMapper* Mapper = nullptr;
-  };
-  /// Draws one item with the shaders of a stage.
-  using DrawFunction = std::function<void(const Item&, const vtkFourierOpacityStage&)>;
+  using Item = vtkFourierOpacityItem;
 
   /// Where the picture goes.
   enum DestinationType
@@ -74,12 +59,12 @@ public:
    * right with what was drawn. Bindings and state are restored.
    */
   std::string Draw(vtkRenderer* renderer, const std::vector<Item>& items,
-    vtkOpacityOptimization* optimization, const DrawFunction& drawItem, DestinationType destination,
-    std::string& warning);
+    vtkOpacityOptimization* optimization, const vtkFourierOpacityDrawFunction& drawItem,
+    DestinationType destination, std::string& warning);
 
   /// The picture: colour, not multiplied by opacity, and depth from 0 to 1.
-  vtkTextureObject* GetColor() const { return this->Targets.Color; }
-  vtkTextureObject* GetDepth() const { return this->Targets.Depth; }
+  vtkTextureObject* GetColor() const { return this->Steps.Targets.Color; }
+  vtkTextureObject* GetDepth() const { return this->Steps.Targets.Depth; }
 
   /**
    * Describe how a selection draws an item of the last picture, and make its opacities readable
@@ -90,15 +75,18 @@ public:
 
   /// Bytes on the graphics device: of all, and of the sums alone.
   vtkIdType GetNumberOfBytes() const;
-  vtkIdType GetNumberOfSumBytes() const { return this->Targets.GetNumberOfSumBytes(); }
+  vtkIdType GetNumberOfSumBytes() const { return this->Steps.Targets.GetNumberOfSumBytes(); }
 
-  /// Fragments of the last picture that was made with lists: all of them, those that were dropped for
-  /// want of memory, and the mean over the pixels that have any.
-  vtkIdType GetNumberOfFragments() const { return this->Lists.GetNumberOfFragments(); }
-  vtkIdType GetNumberOfDroppedFragments() const { return this->NumberOfDroppedFragments; }
+  /// Fragments of the last picture that was made with lists: all of them, those that were dropped
+  /// for want of memory, and the mean over the pixels that have any.
+  vtkIdType GetNumberOfFragments() const { return this->Steps.GetLists().GetNumberOfFragments(); }
+  vtkIdType GetNumberOfDroppedFragments() const
+  {
+    return this->Steps.GetNumberOfDroppedFragments();
+  }
   /// Number of pictures whose mean was drawn last.
   int GetNumberOfAccumulatedPictures() const { return this->NumberOfAccumulatedPictures; }
-  double GetMeanDepthComplexity() const { return this->Lists.GetMeanNumberPerPixel(); }
+  double GetMeanDepthComplexity() const { return this->Steps.GetLists().GetMeanNumberPerPixel(); }
 
   /// Opacities of the elements of the last picture.
   const std::vector<float>& GetOpacities() const;
@@ -109,45 +97,19 @@ private:
   vtkFourierOpacityPainter(const vtkFourierOpacityPainter&) = delete;
   void operator=(const vtkFourierOpacityPainter&) = delete;
 
-  struct Frame;
   struct View;
 
-  View& GetView(vtkRenderer* renderer);
   std::string Check(vtkOpenGLRenderWindow* window);
-  std::string Prepare(Frame& frame);
-  std::string UploadElements(Frame& frame, const std::vector<float>& values,
-    vtkLineSetsBufferTexture& buffer, unsigned int format);
-  void DrawStage(Frame& frame, vtkFourierOpacityStage& stage);
-  void SetCommonParameters(const Frame& frame, vtkShaderProgram* program);
-  void AddSumTextures(Frame& frame);
-  void SumImportance(Frame& frame);
-  std::string PrepareSmallest(Frame& frame, std::vector<float>& values);
-  std::string FindOpacities(Frame& frame);
-  std::string UploadOpacities(Frame& frame, std::vector<float>& values);
-  std::string Widen(Frame& frame);
-  void DrawOpaqueLayer(Frame& frame);
-  void SumOpticalDepth(Frame& frame);
-  void AddColors(Frame& frame);
-  std::string ListColors(Frame& frame);
-  std::string MakePicture(Frame& frame, const int origin[2]);
-  std::string Accumulate(Frame& frame);
-  std::string Finish(Frame& frame);
-  std::string Show(Frame& frame);
-  std::string DrawQuad(Frame& frame, const std::string& source);
-  std::string DrawLists(Frame& frame, vtkFourierOpacityStage& stage, const int size[2],
-    vtkTextureObject* target, const std::string& resolve);
+  View& GetView(vtkRenderer* renderer);
+  void PrepareView(View& view, vtkFourierOpacityFrame& frame);
+  std::string Accumulate(View& view, vtkFourierOpacityFrame& frame);
+  std::string Show(View& view, vtkFourierOpacityFrame& frame);
 
-  vtkFourierOpacityTargets Targets;
-  vtkLineSetsSceneDepth SceneDepth;
-  vtkFragmentLists Lists;
-  vtkLineSetsBufferTexture Smallest;
-  vtkLineSetsBufferTexture Opacities;
+  vtkFourierOpacitySteps Steps;
   std::list<std::unique_ptr<View>> Views;
   View* LastView = nullptr;
   std::vector<Item> LastItems; ///< compared, never followed
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  int Shift = 0;
-  vtkIdType NumberOfDroppedFragments = 0;
   int NumberOfAccumulatedPictures = 0;
 };
 

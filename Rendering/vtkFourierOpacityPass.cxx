@@ -121,8 +121,7 @@ void vtkFourierOpacityPass::Render(const vtkRenderState* state)
   {
     vtkProp* prop = state->GetPropArray()[i];
     auto* actor = vtkActor::SafeDownCast(prop);
-    auto* mapper =
-      vtkFourierOpacityMapper::SafeDownCast(actor ? actor->GetMapper() : nullptr);
+    auto* mapper = vtkFourierOpacityMapper::SafeDownCast(actor ? actor->GetMapper() : nullptr);
     if (mapper)
     {
       internals.Items.push_back({ actor, mapper });
@@ -137,8 +136,8 @@ void vtkFourierOpacityPass::Render(const vtkRenderState* state)
   {
     vtkRenderer* renderer = state->GetRenderer();
     std::string warning;
-    const std::string error = internals.Painter->Draw(renderer, internals.Items,
-      internals.Optimization,
+    const std::string error = internals.Painter->Draw(
+      renderer, internals.Items, internals.Optimization,
       [&](const vtkFourierOpacityPainter::Item& item, const vtkFourierOpacityStage& stage)
       { item.Mapper->RenderStage(renderer, item.Actor, stage, true); },
       vtkFourierOpacityPainter::Framebuffer, warning);

@@ -22,12 +22,12 @@
  * <b>Other translucent props</b> have no part in this: TranslucentPass draws them afterwards, over
  * what this pass has drawn, whatever their depth. A warning tells their number, once.
  *
- * <b>Selection.</b> vtkHardwareSelector selects nothing in VTK while a renderer has a render pass: set
- * the renderer's pass to nullptr for the time of the selection. What was faint in the last picture
- * of this pass is then left out, as vtkFourierOpacityMapper tells.
+ * <b>Selection.</b> vtkHardwareSelector selects nothing in VTK while a renderer has a render pass:
+ * set the renderer's pass to nullptr for the time of the selection. What was faint in the last
+ * picture of this pass is then left out, as vtkFourierOpacityMapper tells.
  *
- * <b>Needs</b> OpenGL 4.2. Where there is less, or no memory, an error says so, once, and the actors
- * are not drawn.
+ * <b>Needs</b> OpenGL 4.2. Where there is less, or no memory, an error says so, once, and the
+ * actors are not drawn.
  *
  * @sa vtkFourierOpacityMapper vtkOpacityOptimization vtkRenderStepsPass
  */
@@ -60,15 +60,15 @@ public:
 
   ///@{
   /**
-   * Draws translucent props whose mapper is no vtkFourierOpacityMapper. Default a vtkTranslucentPass;
-   * with nullptr they are not drawn.
+   * Draws translucent props whose mapper is no vtkFourierOpacityMapper. Default a
+   * vtkTranslucentPass; with nullptr they are not drawn.
    */
   virtual void SetTranslucentPass(vtkRenderPass* pass);
   vtkRenderPass* GetTranslucentPass();
   ///@}
 
-  /// Bytes on the graphics device for sums, layers and opacities; and those of the sums alone, which
-  /// the paper counts. 0 before the first picture.
+  /// Bytes on the graphics device for sums, layers and opacities; and those of the sums alone,
+  /// which the paper counts. 0 before the first picture.
   vtkIdType GetNumberOfBytes();
   vtkIdType GetNumberOfSumBytes();
 

@@ -55,8 +55,7 @@ constexpr const char* Halo =
   "  }\n"
   "  gl_FragDepth = fourierZ;\n";
 
-constexpr const char* HaloColor =
-  "(fourierMargin > 0.0 ? fourierHaloColor : gl_FragData[0].rgb)";
+constexpr const char* HaloColor = "(fourierMargin > 0.0 ? fourierHaloColor : gl_FragData[0].rgb)";
 
 // Where a fragment lies across its line, from -1/2 to 1/2. Newer versions of VTK make short
 // segments longer, which would let halos of one line cover each other again and again.
@@ -121,8 +120,7 @@ const char* GetPlace(const vtkFourierOpacityStage& stage, bool lateOpacity)
 
 //------------------------------------------------------------------------------
 void vtkFourierOpacityShader::Insert(std::map<vtkShader::Type, vtkShader*>& shaders,
-  const vtkFourierOpacityStage& stage, bool hasElements, bool lateOpacity,
-  bool hasHalo)
+  const vtkFourierOpacityStage& stage, bool hasElements, bool lateOpacity, bool hasHalo)
 {
   vtkShader* vertex = shaders[vtkShader::Vertex];
   vtkShader* fragment = shaders[vtkShader::Fragment];
@@ -143,10 +141,9 @@ void vtkFourierOpacityShader::Insert(std::map<vtkShader::Type, vtkShader*>& shad
   }
   // Pictures that are accumulated are shifted by parts of a pixel.
   InsertBefore(vertex, "//VTK::Light::Dec", "uniform vec2 fourierShift;\n");
+  InsertBefore(vertex, "//VTK::Light::Impl", "gl_Position.xy += fourierShift * gl_Position.w;\n");
   InsertBefore(
-    vertex, "//VTK::Light::Impl", "gl_Position.xy += fourierShift * gl_Position.w;\n");
-  InsertBefore(fragment, "//VTK::Light::Dec",
-    stage.Declarations + (hasHalo ? HaloDeclarations : ""));
+    fragment, "//VTK::Light::Dec", stage.Declarations + (hasHalo ? HaloDeclarations : ""));
   if (hasHalo)
   {
     InsertHalo(shaders);

@@ -62,7 +62,8 @@ struct vtkFourierOpacityStage
   /// Differs where shaders differ.
   std::string GetKey() const
   {
-    return std::to_string(this->Kind) + (this->HaloWidth > 0.0 ? "halo" : "") + this->Extensions + this->Declarations + this->Code;
+    return std::to_string(this->Kind) + (this->HaloWidth > 0.0 ? "halo" : "") + this->Extensions +
+      this->Declarations + this->Code;
   }
 };
 

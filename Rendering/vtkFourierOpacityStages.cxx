@@ -110,8 +110,7 @@ std::string vtkFourierOpacityStages::GetDeclarations(bool readsSums) const
       fetch += "  texel = texelFetch(" + name + ", pixel, 0);\n";
       for (int i = 0; i < components; ++i)
       {
-        fetch +=
-          "  fourierFetched[" + std::to_string(sum++) + "] = texel." + Component(i) + ";\n";
+        fetch += "  fourierFetched[" + std::to_string(sum++) + "] = texel." + Component(i) + ";\n";
       }
     }
     text += fetch + "}\n";
@@ -263,8 +262,7 @@ vtkFourierOpacityStage vtkFourierOpacityStages::SumOpticalDepth(const Outputs& o
       " != 0)\n  {\n    discard;\n  }\n";
   }
   stage.Code += std::string("  float fourierD = ") +
-    (this->HasBounds ? "fourierPixelDepth(fourierSceneDepth(%Z))"
-                     : "fourierSceneDepth(%Z)") +
+    (this->HasBounds ? "fourierPixelDepth(fourierSceneDepth(%Z))" : "fourierSceneDepth(%Z)") +
     ";\n"
     "  FourierTerms terms = fourierTerms(fourierD);\n"
     "  float fourierValue = " +
@@ -310,7 +308,8 @@ vtkFourierOpacityStage vtkFourierOpacityStages::AddColors() const
   }
   else if (this->Blending == vtkOpacityOptimization::WeightedBlended)
   {
-    // McGuire and Bavoil, 2013, Eq. 10: the weight has the opacity, and so have the colours already.
+    // McGuire and Bavoil, 2013, Eq. 10: the weight has the opacity, and so have the colours
+    // already.
     stage.Code += depth +
       "  float fourierWeight = fourierAlpha * fourierAlpha *\n"
       "    max(1e-2, 3e3 * (1.0 - fourierD) * (1.0 - fourierD) * (1.0 - fourierD));\n";
@@ -401,7 +400,8 @@ std::string vtkFourierOpacityStages::Finish(bool multiplied) const
     "void main()\n"
     "{\n"
     "  ivec2 pixel = ivec2(gl_FragCoord.xy)" +
-    (multiplied ? "" : " - fourierOrigin") + ";\n"
+    (multiplied ? "" : " - fourierOrigin") +
+    ";\n"
     "  vec4 sum = texelFetch(fourierColors, pixel, 0);\n" +
     through +
     "  float alpha = sum.a > 0.0 ? 1.0 - through : 0.0;\n"
@@ -412,12 +412,11 @@ std::string vtkFourierOpacityStages::Finish(bool multiplied) const
                           : "") +
     (multiplied ? "  gl_FragData[0] = vec4(color, alpha);\n"
                 : "  gl_FragData[0] = alpha > 0.0 ? vec4(color / alpha, alpha) : vec4(0.0);\n") +
-    (this->HasBounds
-        ? // Half floats are exact to 2^-10 of the value: what is just in front of something
-          // opaque must not come to lie behind it.
-          "  float near = texelFetch(fourierBounds, pixel / fourierReduction, 0).r * 1.001;\n"
-          "  gl_FragData[1] = vec4(fourierBufferDepth(max(1.0 - near, 0.0)), 0.0, 0.0, 0.0);\n"
-        : "  gl_FragData[1] = vec4(fourierBufferDepth(0.0), 0.0, 0.0, 0.0);\n") +
+    (this->HasBounds ? // Half floats are exact to 2^-10 of the value: what is just in front of
+                       // something opaque must not come to lie behind it.
+        "  float near = texelFetch(fourierBounds, pixel / fourierReduction, 0).r * 1.001;\n"
+        "  gl_FragData[1] = vec4(fourierBufferDepth(max(1.0 - near, 0.0)), 0.0, 0.0, 0.0);\n"
+                     : "  gl_FragData[1] = vec4(fourierBufferDepth(0.0), 0.0, 0.0, 0.0);\n") +
     "}\n";
 }
 

@@ -21,11 +21,11 @@ struct vtkFourierOpacityStages
 {
   /// What vtkOpacityOptimization asks for, as the stages need it.
   int Blending = 0;
-  int Series = 0;      ///< kind of series, as in glsl/vtkFourierOpacity.glsl
-  int Sums = 0;        ///< number of sums
+  int Series = 0; ///< kind of series, as in glsl/vtkFourierOpacity.glsl
+  int Sums = 0;   ///< number of sums
   int Subset = 1;
-  bool Exact = false;  ///< importance is summed exactly
-  bool HasSums = true; ///< colours are blended by sums of optical depth
+  bool Exact = false;    ///< importance is summed exactly
+  bool HasSums = true;   ///< colours are blended by sums of optical depth
   bool HasLists = false; ///< colours are blended by fragment lists
   bool HasBounds = false;
   bool HasOpaqueLayer = false;

@@ -31,9 +31,9 @@ int GetBytesPerTexel(unsigned int format)
 
 vtkIdType GetBytes(vtkTextureObject* texture, unsigned int format)
 {
-  return texture->GetHandle() == 0 ? 0
-                                   : static_cast<vtkIdType>(texture->GetWidth()) *
-      texture->GetHeight() * GetBytesPerTexel(format);
+  return texture->GetHandle() == 0
+    ? 0
+    : static_cast<vtkIdType>(texture->GetWidth()) * texture->GetHeight() * GetBytesPerTexel(format);
 }
 }
 
@@ -63,7 +63,8 @@ bool vtkFourierOpacityTargets::Make(vtkOpenGLRenderWindow* window, vtkTextureObj
 {
   const auto w = static_cast<unsigned int>(width);
   const auto h = static_cast<unsigned int>(height);
-  if (!wanted || (texture->GetHandle() != 0 && (texture->GetWidth() != w || texture->GetHeight() != h)))
+  if (!wanted ||
+    (texture->GetHandle() != 0 && (texture->GetWidth() != w || texture->GetHeight() != h)))
   {
     texture->ReleaseGraphicsResources(window);
   }
@@ -124,8 +125,8 @@ std::string vtkFourierOpacityTargets::Prepare(vtkOpenGLRenderWindow* window, con
   if (!made)
   {
     this->ReleaseGraphicsResources(window);
-    return "There is no memory on the graphics device for the sums of " + std::to_string(w) + " x " +
-      std::to_string(h) + " pixels with " + std::to_string(layout.Sums) +
+    return "There is no memory on the graphics device for the sums of " + std::to_string(w) +
+      " x " + std::to_string(h) + " pixels with " + std::to_string(layout.Sums) +
       " sums each: draw a smaller picture or with fewer bands.";
   }
   this->Framebuffer->SetContext(window);
@@ -155,8 +156,8 @@ void vtkFourierOpacityTargets::Bind(
   {
     this->Framebuffer->RemoveDepthAttachment();
   }
-  // VTK's state takes draw buffers after the first one for those of the framebuffer bound before, and
-  // would not set what it takes for set.
+  // VTK's state takes draw buffers after the first one for those of the framebuffer bound before,
+  // and would not set what it takes for set.
   this->Framebuffer->DeactivateDrawBuffers();
   this->Framebuffer->ActivateDrawBuffers(count);
 }

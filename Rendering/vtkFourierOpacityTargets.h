@@ -33,12 +33,12 @@ public:
   {
     int Width = 0;
     int Height = 0;
-    int Sums = 0;             ///< number of sums per pixel
-    int BoundsWidth = 0;      ///< of the bounds of depth, 0 for none
+    int Sums = 0;        ///< number of sums per pixel
+    int BoundsWidth = 0; ///< of the bounds of depth, 0 for none
     int BoundsHeight = 0;
-    bool HasCounts = false;   ///< number and optical depth of fragments (weighted ways)
+    bool HasCounts = false; ///< number and optical depth of fragments (weighted ways)
     bool HasOpaqueLayer = false;
-    bool HasPicture = false;  ///< colour and depth of the result
+    bool HasPicture = false; ///< colour and depth of the result
   };
 
   /// Components of the textures of so many sums: 4, 4, ..., 2, 1.

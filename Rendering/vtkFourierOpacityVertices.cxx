@@ -206,9 +206,10 @@ void vtkFourierOpacityVertices::MapToUnitRange(const std::vector<double>& values
   }
   if (!(high > low))
   {
-    this->Warnings.push_back("The importance is the same everywhere, or the range it is mapped "
-                             "from is empty: nothing is important, and everything is opaque. Give a "
-                             "range (SetImportanceRange) or another array.");
+    this->Warnings.push_back(
+      "The importance is the same everywhere, or the range it is mapped "
+      "from is empty: nothing is important, and everything is opaque. Give a "
+      "range (SetImportanceRange) or another array.");
   }
 }
 
@@ -232,8 +233,8 @@ void vtkFourierOpacityVertices::MakeElements(vtkPolyData* input)
     this->Filter->Update();
     segmented = this->Filter->GetOutput();
   }
-  auto* ids =
-    vtkIntArray::SafeDownCast(segmented->GetPointData()->GetArray(vtkOpacitySegments::GetIdsName()));
+  auto* ids = vtkIntArray::SafeDownCast(
+    segmented->GetPointData()->GetArray(vtkOpacitySegments::GetIdsName()));
   auto* distances = vtkFloatArray::SafeDownCast(
     segmented->GetPointData()->GetArray(vtkOpacitySegments::GetDistancesName()));
   const vtkIdType points = input->GetNumberOfPoints();
@@ -266,8 +267,7 @@ void vtkFourierOpacityVertices::MakeElements(vtkPolyData* input)
       largest = std::max(largest, elements[j]);
     }
     // A point of no element is opaque by its first one, -1.
-    this->Weights->SetTypedComponent(
-      i, 0, elements[0] < 0 ? 1.0f : static_cast<float>(weights[0]));
+    this->Weights->SetTypedComponent(i, 0, elements[0] < 0 ? 1.0f : static_cast<float>(weights[0]));
     this->Weights->SetTypedComponent(i, 1, static_cast<float>(weights[1]));
   }
   this->NumberOfElements = largest + 1;

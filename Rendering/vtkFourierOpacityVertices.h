@@ -34,7 +34,8 @@ public:
   {
     /// Name of a point or cell array, or empty for the active scalars.
     std::string ArrayName;
-    /// Values that are mapped to 0 and 1; the array's own range where the first is above the second.
+    /// Values that are mapped to 0 and 1; the array's own range where the first is above the
+    /// second.
     double Range[2] = { 1.0, 0.0 };
     int NumberOfLineSegments = 50000;
     int NumberOfPatches = 500;

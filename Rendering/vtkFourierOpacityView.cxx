@@ -66,12 +66,12 @@ bool vtkFourierOpacityView::IsJump(const vtkFourierOpacityView& next) const
 {
   const double largestTurn = std::cos(vtkMath::RadiansFromDegrees(20.0));
   const double depth = this->Range[1] - this->Range[0];
-  const double zoom = next.IsParallel ? next.ParallelScale / this->ParallelScale
-                                      : next.Angle / this->Angle;
+  const double zoom =
+    next.IsParallel ? next.ParallelScale / this->ParallelScale : next.Angle / this->Angle;
   return this->Size[0] != next.Size[0] || this->Size[1] != next.Size[1] ||
     this->IsParallel != next.IsParallel ||
     vtkMath::Dot(this->Direction, next.Direction) < largestTurn ||
-    std::sqrt(vtkMath::Distance2BetweenPoints(this->Position, next.Position)) > 0.5 * depth +
-      2.0 * this->Range[0] * std::sin(vtkMath::RadiansFromDegrees(10.0)) ||
+    std::sqrt(vtkMath::Distance2BetweenPoints(this->Position, next.Position)) >
+    0.5 * depth + 2.0 * this->Range[0] * std::sin(vtkMath::RadiansFromDegrees(10.0)) ||
     !(zoom > 1.0 / 1.5 && zoom < 1.5);
 }

@@ -10,7 +10,8 @@ vtkStandardNewMacro(vtkOpacityOptimization);
 //------------------------------------------------------------------------------
 void vtkOpacityOptimization::SetRegularizationWeight(double weight)
 {
-  vtkLineSetsSetInRange(this, "RegularizationWeight", this->RegularizationWeight, weight, 1e-6, 1e6);
+  vtkLineSetsSetInRange(
+    this, "RegularizationWeight", this->RegularizationWeight, weight, 1e-6, 1e6);
 }
 
 //------------------------------------------------------------------------------
@@ -34,7 +35,8 @@ void vtkOpacityOptimization::SetEmphasis(double emphasis)
 //------------------------------------------------------------------------------
 void vtkOpacityOptimization::SetSmoothingIterations(int iterations)
 {
-  vtkLineSetsSetInRange(this, "SmoothingIterations", this->SmoothingIterations, iterations, 0, 1000);
+  vtkLineSetsSetInRange(
+    this, "SmoothingIterations", this->SmoothingIterations, iterations, 0, 1000);
 }
 
 //------------------------------------------------------------------------------
@@ -64,19 +66,22 @@ void vtkOpacityOptimization::SetImportanceReduction(int reduction)
 //------------------------------------------------------------------------------
 void vtkOpacityOptimization::SetBlending(int blending)
 {
-  vtkLineSetsSetInRange(this, "Blending", this->Blending, blending, static_cast<int>(Fourier), static_cast<int>(FragmentLists));
+  vtkLineSetsSetInRange(this, "Blending", this->Blending, blending, static_cast<int>(Fourier),
+    static_cast<int>(FragmentLists));
 }
 
 //------------------------------------------------------------------------------
 void vtkOpacityOptimization::SetImportance(int importance)
 {
-  vtkLineSetsSetInRange(this, "Importance", this->Importance, importance, static_cast<int>(SeriesImportance), static_cast<int>(ExactImportance));
+  vtkLineSetsSetInRange(this, "Importance", this->Importance, importance,
+    static_cast<int>(SeriesImportance), static_cast<int>(ExactImportance));
 }
 
 //------------------------------------------------------------------------------
 void vtkOpacityOptimization::SetDepthScale(int scale)
 {
-  vtkLineSetsSetInRange(this, "DepthScale", this->DepthScale, scale, static_cast<int>(LinearDepth), static_cast<int>(LogarithmicDepth));
+  vtkLineSetsSetInRange(this, "DepthScale", this->DepthScale, scale, static_cast<int>(LinearDepth),
+    static_cast<int>(LogarithmicDepth));
 }
 
 //------------------------------------------------------------------------------

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOpacityOptimization
- * @brief   how opacity is optimized and blended by vtkFourierOpacityMapper and vtkFourierOpacityPass
+ * @brief   how opacity is optimized and blended by vtkFourierOpacityMapper and
+ * vtkFourierOpacityPass
  *
  * What hides important geometry is faded, and so is what clutters the view behind it (Baeza Rojo,
  * Gross and Guenther, "Fourier Opacity Optimization for Scalable Exploration", IEEE TVCG 26(11),
@@ -76,7 +77,8 @@ public:
 
   ///@{
   /**
-   * Weight p of being opaque, above 0 to 1e6. Default 1. Only its ratios to the other weights count.
+   * Weight p of being opaque, above 0 to 1e6. Default 1. Only its ratios to the other weights
+   * count.
    */
   virtual void SetRegularizationWeight(double weight);
   vtkGetMacro(RegularizationWeight, double);
@@ -102,7 +104,8 @@ public:
 
   ///@{
   /**
-   * Exponent lambda, 0.01 to 100: how sharply the important is told from the less important. Default
+   * Exponent lambda, 0.01 to 100: how sharply the important is told from the less important.
+   * Default
    * 2. The paper has 1.3 to 10.
    */
   virtual void SetEmphasis(double emphasis);
@@ -182,8 +185,8 @@ public:
 
   ///@{
   /**
-   * How the depth is divided (DepthScaleType). Default LinearDepth. Without effect in parallel views
-   * and on exact ways. Another value is an error.
+   * How the depth is divided (DepthScaleType). Default LinearDepth. Without effect in parallel
+   * views and on exact ways. Another value is an error.
    */
   virtual void SetDepthScale(int scale);
   vtkGetMacro(DepthScale, int);
@@ -191,8 +194,8 @@ public:
 
   ///@{
   /**
-   * Whether the series of a pixel's optical depth spans only the depths of what that pixel shows, in
-   * place of those of the whole scene. Default true. Without effect on PaperFourier and exact
+   * Whether the series of a pixel's optical depth spans only the depths of what that pixel shows,
+   * in place of those of the whole scene. Default true. Without effect on PaperFourier and exact
    * blending.
    */
   vtkSetMacro(TightDepth, bool);

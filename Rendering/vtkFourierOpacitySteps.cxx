@@ -1,0 +1,440 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFourierOpacitySteps.h"
+
+#define LINESETS_USE_OPENGL
+#include "vtkLineSetsCompatibilityPrivate.h"
+
+#include "vtkFourierOpacityElements.h"
+#include "vtkLineSetsQuad.h"
+#include "vtkLineSetsScopedState.h"
+#include "vtkOpacityOptimization.h"
+#include "vtkOpenGLRenderWindow.h"
+
+#include <algorithm>
+
+namespace
+{
+// What each draw writes where there are more sums than targets of one draw.
+std::vector<vtkFourierOpacityStages::Outputs> PartOutputs(int sums, bool bounds, int most)
+{
+  std::vector<vtkFourierOpacityStages::Outputs> parts;
+  for (int first = 0; first < sums; first += most)
+  {
+    parts.push_back({ first, std::min(sums - first, most), false });
+  }
+  if (bounds)
+  {
+    if (parts.empty() || parts.back().Count == most)
+    {
+      parts.push_back({ sums, 0, false });
+    }
+    parts.back().Bounds = true;
+  }
+  return parts;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacitySteps::vtkFourierOpacitySteps() = default;
+
+//------------------------------------------------------------------------------
+vtkFourierOpacitySteps::~vtkFourierOpacitySteps() = default;
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacitySteps::Prepare(vtkFourierOpacityFrame& frame)
+{
+  int draws = 8;
+  int attachments = 8;
+  frame.State->vtkglGetIntegerv(GL_MAX_DRAW_BUFFERS, &draws);
+  frame.State->vtkglGetIntegerv(GL_MAX_COLOR_ATTACHMENTS, &attachments);
+  frame.MostTargets = std::min(draws, attachments);
+  frame.Reduction = frame.Optimization->GetImportanceReduction();
+  for (int i = 0; i < 2; ++i)
+  {
+    frame.ReducedSize[i] = (frame.Now.Size[i] + frame.Reduction - 1) / frame.Reduction;
+  }
+
+  vtkFourierOpacityTargets::Layout layout;
+  layout.Width = frame.Now.Size[0];
+  layout.Height = frame.Now.Size[1];
+  layout.Sums = frame.Stages.Sums;
+  layout.BoundsWidth = frame.Stages.HasBounds ? frame.ReducedSize[0] : 0;
+  layout.BoundsHeight = frame.Stages.HasBounds ? frame.ReducedSize[1] : 0;
+  layout.HasCounts = !frame.Stages.HasSums && !frame.Stages.HasLists;
+  layout.HasOpaqueLayer = frame.Stages.HasOpaqueLayer;
+  layout.HasPicture = frame.HasPicture;
+  return this->Targets.Prepare(frame.Window, layout);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacitySteps::UploadElements(vtkFourierOpacityFrame& frame,
+  const std::vector<float>& values, vtkLineSetsBufferTexture& buffer, unsigned int format)
+{
+  const int type = format == GL_R32F ? VTK_FLOAT : VTK_UNSIGNED_INT;
+  return buffer.Upload(frame.Window, values.data(), values.size(), sizeof(float), format, 1, type)
+    ? std::string()
+    : "There is no memory on the graphics device for the opacities of " +
+      std::to_string(values.size()) + " segments.";
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacitySteps::SumImportance(vtkFourierOpacityFrame& frame)
+{
+  // Opacities stay as they are in later pictures of the same view, of which only bounds are needed.
+  const bool sumsUp = !frame.Stages.Exact && frame.Number <= 0;
+  const int sums = sumsUp ? static_cast<int>(this->Targets.Sums.size()) : 0;
+  frame.State->vtkglDisable(GL_DEPTH_TEST);
+  frame.State->vtkglDepthMask(GL_FALSE);
+  frame.State->vtkglEnable(GL_BLEND);
+  frame.State->vtkglBlendFunc(GL_ONE, GL_ONE);
+  frame.State->vtkglViewport(0, 0, frame.ReducedSize[0], frame.ReducedSize[1]);
+  frame.Textures.Add("fourierScene", frame.Scene);
+  for (const auto& outputs : PartOutputs(sums, frame.Stages.HasBounds, frame.MostTargets))
+  {
+    const auto first = this->Targets.Sums.begin() + outputs.First;
+    std::vector<vtkTextureObject*> targets(first, first + outputs.Count);
+    if (outputs.Bounds)
+    {
+      targets.push_back(this->Targets.Bounds);
+    }
+    this->Targets.Bind(targets, nullptr);
+    frame.State->vtkglClear(GL_COLOR_BUFFER_BIT);
+    // Each target has its blend equation, of which VTK's state knows nothing.
+    const auto boundsTarget = static_cast<unsigned int>(outputs.Count);
+    if (outputs.Bounds)
+    {
+      glBlendEquationi(boundsTarget, GL_MAX);
+    }
+    vtkFourierOpacityStage stage = frame.Stages.SumImportance(outputs);
+    frame.DrawStage(stage);
+    if (outputs.Bounds)
+    {
+      glBlendEquationi(boundsTarget, GL_FUNC_ADD);
+    }
+  }
+  frame.Textures.Clear();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacitySteps::PrepareSmallest(
+  vtkFourierOpacityFrame& frame, std::vector<float>& values)
+{
+  const vtkIdType count = std::max<vtkIdType>(frame.Elements.GetNumberOfElements(), 1);
+  // Where the device takes fewer places than there are elements, neighbours share one.
+  int most = 0;
+  frame.State->vtkglGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  frame.ElementShift = 0;
+  while (((count - 1) >> frame.ElementShift) >= most)
+  {
+    ++frame.ElementShift;
+  }
+  this->ElementShift = frame.ElementShift;
+  values.assign(static_cast<std::size_t>(((count - 1) >> frame.ElementShift) + 1),
+    vtkFourierOpacityElements::NotSeen);
+  // Floats that are not negative are in the order of their bits.
+  return this->UploadElements(frame, values, this->Smallest, GL_R32UI);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacitySteps::FindOpacities(vtkFourierOpacityFrame& frame)
+{
+  std::vector<float> values;
+  std::string error = this->PrepareSmallest(frame, values);
+  if (error.empty() && frame.Number > 0)
+  {
+    return this->UploadOpacities(frame, values);
+  }
+  if (!error.empty())
+  {
+    return error;
+  }
+  const vtkLineSetsScopedState::SavedImageUnit savedUnit(vtkFourierOpacityFrame::SmallestUnit);
+  glBindImageTexture(vtkFourierOpacityFrame::SmallestUnit, this->Smallest.GetHandle(), 0, GL_FALSE,
+    0, GL_READ_WRITE, GL_R32UI);
+  frame.Textures.Add("fourierScene", frame.Scene);
+  if (frame.Stages.Exact)
+  {
+    vtkFourierOpacityStage stage = frame.Stages.ListImportance();
+    error = this->DrawLists(
+      frame, stage, frame.ReducedSize, this->Targets.Colors, frame.Stages.ResolveImportance());
+  }
+  else
+  {
+    frame.State->vtkglViewport(0, 0, frame.ReducedSize[0], frame.ReducedSize[1]);
+    // Wide lines and points reach beyond the viewport, where there are no sums of this picture.
+    const vtkOpenGLState::ScopedglEnableDisable scissorTest(frame.State, GL_SCISSOR_TEST);
+    frame.State->vtkglScissor(0, 0, frame.ReducedSize[0], frame.ReducedSize[1]);
+    frame.State->vtkglEnable(GL_SCISSOR_TEST);
+    frame.State->vtkglDisable(GL_DEPTH_TEST);
+    frame.State->vtkglDisable(GL_BLEND);
+    frame.State->vtkglDepthMask(GL_FALSE);
+    frame.State->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    this->Targets.Bind({ this->Targets.Colors }, nullptr);
+    this->AddSumTextures(frame);
+    vtkFourierOpacityStage stage = frame.Stages.FindOpacities();
+    frame.DrawStage(stage);
+    frame.State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
+  frame.Textures.Clear();
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  if (!error.empty())
+  {
+    return error;
+  }
+  this->Smallest.Download(values.data(), values.size() * sizeof(float));
+  frame.Elements.Update(
+    values, frame.ElementShift, frame.Optimization->GetSmoothingIterations(), frame.Blend);
+  return this->UploadOpacities(frame, values);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacitySteps::UploadOpacities(
+  vtkFourierOpacityFrame& frame, std::vector<float>& values)
+{
+  const std::vector<float>& opacities = frame.Elements.GetOpacities();
+  if (frame.ElementShift == 0 && !opacities.empty())
+  {
+    return this->UploadElements(frame, opacities, this->Opacities, GL_R32F);
+  }
+  std::fill(values.begin(), values.end(), 1.0f);
+  for (std::size_t i = 0; i < opacities.size(); ++i)
+  {
+    float& value = values[i >> frame.ElementShift];
+    value = std::min(value, opacities[i]);
+  }
+  return this->UploadElements(frame, values, this->Opacities, GL_R32F);
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacitySteps::AddSumTextures(vtkFourierOpacityFrame& frame)
+{
+  for (std::size_t i = 0; i < this->Targets.Sums.size(); ++i)
+  {
+    frame.Textures.Add("fourierSums" + std::to_string(i), this->Targets.Sums[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacitySteps::DrawOpaqueLayer(vtkFourierOpacityFrame& frame)
+{
+  frame.State->vtkglViewport(0, 0, frame.Now.Size[0], frame.Now.Size[1]);
+  frame.State->vtkglEnable(GL_DEPTH_TEST);
+  frame.State->vtkglDepthFunc(GL_LEQUAL);
+  frame.State->vtkglDepthMask(GL_TRUE);
+  frame.State->vtkglDisable(GL_BLEND);
+  this->Targets.Bind({ this->Targets.Opaque }, frame.Scene);
+  frame.State->vtkglClear(GL_COLOR_BUFFER_BIT);
+  frame.Textures.Add("fourierOpacities", this->Opacities.GetTexture());
+  vtkFourierOpacityStage stage = frame.Stages.DrawOpaqueLayer();
+  frame.DrawStage(stage);
+  frame.Textures.Clear();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacitySteps::Widen(vtkFourierOpacityFrame& frame)
+{
+  frame.State->vtkglViewport(0, 0, frame.ReducedSize[0], frame.ReducedSize[1]);
+  frame.State->vtkglDisable(GL_DEPTH_TEST);
+  frame.State->vtkglDisable(GL_BLEND);
+  this->Targets.Bind({ this->Targets.Widened }, nullptr);
+  frame.Textures.Add("fourierBounds", this->Targets.Bounds);
+  frame.Textures.Add("fourierScene", frame.Scene);
+  std::string error = this->DrawQuad(frame, frame.Stages.Widen());
+  frame.Textures.Clear();
+  return error;
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacitySteps::SumOpticalDepth(vtkFourierOpacityFrame& frame)
+{
+  frame.State->vtkglViewport(0, 0, frame.Now.Size[0], frame.Now.Size[1]);
+  frame.State->vtkglEnable(GL_DEPTH_TEST);
+  frame.State->vtkglDepthFunc(GL_LEQUAL);
+  frame.State->vtkglDepthMask(GL_FALSE);
+  frame.State->vtkglEnable(GL_BLEND);
+  frame.State->vtkglBlendFunc(GL_ONE, GL_ONE);
+  frame.Textures.Add("fourierOpacities", this->Opacities.GetTexture());
+  if (frame.Stages.HasBounds)
+  {
+    frame.Textures.Add("fourierBounds", this->Targets.Widened);
+  }
+  const int sums = frame.Stages.HasSums ? static_cast<int>(this->Targets.Sums.size()) : 0;
+  for (const auto& outputs : PartOutputs(sums, false, frame.MostTargets))
+  {
+    const auto first = this->Targets.Sums.begin() + outputs.First;
+    this->Targets.Bind(std::vector<vtkTextureObject*>(first, first + outputs.Count), frame.Scene);
+    frame.State->vtkglClear(GL_COLOR_BUFFER_BIT);
+    vtkFourierOpacityStage stage = frame.Stages.SumOpticalDepth(outputs);
+    frame.DrawStage(stage);
+  }
+  // The next stage reads the same textures.
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacitySteps::AddColors(vtkFourierOpacityFrame& frame)
+{
+  std::vector<vtkTextureObject*> targets = { this->Targets.Colors };
+  if (frame.Stages.HasSums)
+  {
+    this->AddSumTextures(frame);
+  }
+  else
+  {
+    targets.push_back(this->Targets.Counts);
+  }
+  this->Targets.Bind(targets, frame.Scene);
+  frame.State->vtkglClear(GL_COLOR_BUFFER_BIT);
+  vtkFourierOpacityStage stage = frame.Stages.AddColors();
+  frame.DrawStage(stage);
+  frame.Textures.Clear();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacitySteps::ListColors(vtkFourierOpacityFrame& frame)
+{
+  frame.Textures.Add("fourierOpacities", this->Opacities.GetTexture());
+  frame.Textures.Add("fragmentListOpaqueDepth", frame.Scene);
+  vtkFourierOpacityStage stage = frame.Stages.ListColors();
+  std::string error = this->DrawLists(
+    frame, stage, frame.Now.Size, this->Targets.Colors, frame.Stages.ResolveColors());
+  frame.Textures.Clear();
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacitySteps::DrawQuad(
+  vtkFourierOpacityFrame& frame, const std::string& source)
+{
+  vtkShaderProgram* program = vtkLineSetsQuad::ReadyProgram(frame.Window, source);
+  if (!program)
+  {
+    return "A shader of opacity optimization does not compile.";
+  }
+  frame.SetParameters(program);
+  return vtkLineSetsQuad::Draw(frame.Window, program);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacitySteps::DrawLists(vtkFourierOpacityFrame& frame,
+  vtkFourierOpacityStage& stage, const int size[2], vtkTextureObject* target,
+  const std::string& resolve)
+{
+  this->Lists.SetMaximumNumberOfBytes(
+    static_cast<std::size_t>(frame.Optimization->GetMaximumListMemory()) << 20);
+  frame.State->vtkglViewport(0, 0, size[0], size[1]);
+  frame.State->vtkglDisable(GL_DEPTH_TEST);
+  frame.State->vtkglDisable(GL_BLEND);
+  frame.State->vtkglDepthMask(GL_FALSE);
+  this->Targets.Bind({ target }, nullptr);
+  frame.State->vtkglClear(GL_COLOR_BUFFER_BIT);
+  std::string error = this->Lists.Begin(frame.Window, size[0], size[1]);
+  if (!error.empty())
+  {
+    return error;
+  }
+  frame.Lists = &this->Lists;
+  frame.State->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  frame.DrawStage(stage);
+  error = this->Lists.FinishCounting();
+  for (int i = 0; error.empty() && i < this->Lists.GetNumberOfStrips(); ++i)
+  {
+    this->Lists.BeginStrip(i);
+    frame.DrawStage(stage);
+    error = this->Lists.SortStrip();
+    vtkShaderProgram* program =
+      error.empty() ? vtkLineSetsQuad::ReadyProgram(frame.Window, resolve) : nullptr;
+    if (program)
+    {
+      frame.State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+      frame.SetParameters(program);
+      this->Lists.SetReadParameters(program);
+      error = vtkLineSetsQuad::Draw(frame.Window, program);
+      frame.State->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    }
+    else if (error.empty())
+    {
+      error = "A shader of fragment lists does not compile.";
+    }
+  }
+  frame.Lists = nullptr;
+  frame.State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  this->Lists.End();
+  this->NumberOfDroppedFragments += this->Lists.GetNumberOfDroppedFragments();
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacitySteps::Finish(vtkFourierOpacityFrame& frame)
+{
+  if (frame.Stages.HasSums)
+  {
+    this->AddSumTextures(frame);
+  }
+  frame.Textures.Add("fourierColors", this->Targets.Colors);
+  frame.Textures.Add("fourierCounts", this->Targets.Counts);
+  frame.Textures.Add("fourierOpaque", this->Targets.Opaque);
+  if (frame.Stages.HasBounds)
+  {
+    frame.Textures.Add("fourierBounds", this->Targets.Widened);
+  }
+  std::string error = this->DrawQuad(frame, frame.Stages.Finish(frame.Number >= 0));
+  frame.Textures.Clear();
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacitySteps::MakePicture(vtkFourierOpacityFrame& frame, const int origin[2])
+{
+  frame.Scene = this->SceneDepth.Copy(frame.Window, origin, frame.Now.Size[0], frame.Now.Size[1]);
+  if (!frame.Scene)
+  {
+    return "The depth of the opaque scene cannot be read.";
+  }
+  frame.State->vtkglDisable(GL_SCISSOR_TEST);
+#ifdef GL_MULTISAMPLE
+  frame.State->vtkglDisable(GL_MULTISAMPLE);
+#endif
+  frame.State->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  frame.State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+
+  this->NumberOfDroppedFragments = 0;
+  this->SumImportance(frame);
+  std::string error = this->FindOpacities(frame);
+  if (error.empty() && frame.Stages.HasOpaqueLayer)
+  {
+    this->DrawOpaqueLayer(frame);
+  }
+  if (error.empty() && frame.Stages.HasBounds)
+  {
+    error = this->Widen(frame);
+  }
+  if (error.empty() && frame.Stages.HasLists)
+  {
+    error = this->ListColors(frame);
+  }
+  else if (error.empty())
+  {
+    this->SumOpticalDepth(frame);
+    this->AddColors(frame);
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFourierOpacitySteps::GetNumberOfBytes() const
+{
+  return this->Targets.GetNumberOfBytes() + this->SceneDepth.GetNumberOfBytes() +
+    static_cast<vtkIdType>(this->Smallest.GetNumberOfBytes() + this->Opacities.GetNumberOfBytes()) +
+    this->Lists.GetNumberOfBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacitySteps::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Targets.ReleaseGraphicsResources(window);
+  this->SceneDepth.ReleaseGraphicsResources(window);
+  this->Smallest.Release(window);
+  this->Opacities.Release(window);
+  this->Lists.ReleaseGraphicsResources(window);
+}

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFourierOpacitySteps
+ * @brief   the steps of a picture with optimized opacity, and what they keep on the graphics device
+ *
+ * vtkFourierOpacityPainter tells the steps and when they are taken.
+ */
+
+#ifndef vtkFourierOpacitySteps_h
+#define vtkFourierOpacitySteps_h
+
+#include "vtkFourierOpacityFrame.h"
+#include "vtkFourierOpacityTargets.h"
+#include "vtkFragmentLists.h"
+#include "vtkLineSetsBufferTexture.h"
+#include "vtkLineSetsSceneDepth.h"
+
+#include <string>
+#include <vector>
+
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkFourierOpacitySteps
+{
+public:
+  vtkFourierOpacitySteps();
+  ~vtkFourierOpacitySteps();
+
+  // Each of these returns an empty string, or what went wrong.
+
+  /// Make room for a picture.
+  std::string Prepare(vtkFourierOpacityFrame& frame);
+  /// Take all steps but the last one. The scene is at a pixel of the framebuffer bound for reading.
+  std::string MakePicture(vtkFourierOpacityFrame& frame, const int origin[2]);
+  /// Take the last step: draw the result to what is bound, multiplied by opacity for sums.
+  std::string Finish(vtkFourierOpacityFrame& frame);
+  /// Draw a quad with a shader.
+  std::string DrawQuad(vtkFourierOpacityFrame& frame, const std::string& source);
+
+  vtkFourierOpacityTargets Targets;
+
+  /// The opacities of the last picture, and how many elements share a place: 2^shift.
+  vtkLineSetsBufferTexture& GetOpacities() { return this->Opacities; }
+  int GetElementShift() const { return this->ElementShift; }
+
+  const vtkFragmentLists& GetLists() const { return this->Lists; }
+  vtkIdType GetNumberOfDroppedFragments() const { return this->NumberOfDroppedFragments; }
+  vtkIdType GetNumberOfBytes() const;
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkFourierOpacitySteps(const vtkFourierOpacitySteps&) = delete;
+  void operator=(const vtkFourierOpacitySteps&) = delete;
+
+  std::string UploadElements(vtkFourierOpacityFrame& frame, const std::vector<float>& values,
+    vtkLineSetsBufferTexture& buffer, unsigned int format);
+  void AddSumTextures(vtkFourierOpacityFrame& frame);
+  void SumImportance(vtkFourierOpacityFrame& frame);
+  std::string PrepareSmallest(vtkFourierOpacityFrame& frame, std::vector<float>& values);
+  std::string FindOpacities(vtkFourierOpacityFrame& frame);
+  std::string UploadOpacities(vtkFourierOpacityFrame& frame, std::vector<float>& values);
+  void DrawOpaqueLayer(vtkFourierOpacityFrame& frame);
+  std::string Widen(vtkFourierOpacityFrame& frame);
+  void SumOpticalDepth(vtkFourierOpacityFrame& frame);
+  void AddColors(vtkFourierOpacityFrame& frame);
+  std::string ListColors(vtkFourierOpacityFrame& frame);
+  std::string DrawLists(vtkFourierOpacityFrame& frame, vtkFourierOpacityStage& stage,
+    const int size[2], vtkTextureObject* target, const std::string& resolve);
+
+  vtkLineSetsSceneDepth SceneDepth;
+  vtkFragmentLists Lists;
+  vtkLineSetsBufferTexture Smallest;
+  vtkLineSetsBufferTexture Opacities;
+  int ElementShift = 0;
+  vtkIdType NumberOfDroppedFragments = 0;
+};
+
+#endif
+
+// VTK-HeaderTest-Exclude: vtkFourierOpacitySteps.h
