@@ -98,13 +98,10 @@ void CheckFormulas(Checks& check)
   {
     // By the depths of the scene, then of the pixel; and with no layer that counts as opaque.
     std::vector<Blending> variants = { { method, 5, false } };
-    if (method <= Optimization::Bins)
-    {
-      variants.push_back({ method, 3, true });
-    }
     if (method == Optimization::Fourier)
     {
       variants.push_back({ method, 5, true });
+      variants.push_back({ method, 3, true });
       variants.push_back({ method, 5, true, 1.0 });
       variants.push_back({ method, 5, false, 0.5 });
     }

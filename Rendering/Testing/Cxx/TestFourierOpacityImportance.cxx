@@ -314,12 +314,8 @@ void CheckEquation(Checks& check, Kind kind)
   {
     by->SetImportanceReduction(reduction);
     const std::vector<Shape> shapes = MakeShapes(kind, mixed, 3);
-    // What is as wide on the picture as before is wider where pixels are larger.
-    if (kind == Blades)
-    {
-      CheckShapes(
-        check, name + "reduced", scene, scene.Render(MakeData(kind, shapes, false)), shapes);
-    }
+    CheckShapes(check, name + "reduced by " + std::to_string(reduction), scene,
+      scene.Render(MakeData(kind, shapes, false)), shapes);
   }
   by->SetImportanceReduction(1);
   for (int n : { 2, 3 })
