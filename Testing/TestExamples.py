@@ -139,6 +139,12 @@ def test_examples():
         draw(lines, "--line-width", 2, "--size", "300x200", "--color-by", "speed", "--output", lit)
         share = sum(covered(lit)) / len(colors)
         assert 0.02 < share < 0.6 and pixels(lit)[1] != colors, f"{name}: {share} by lit lines"
+        faded = options.scratch / f"{name}-faded.png"
+        draw(legacy, "--line-width", 2, "--size", "300x200", "--color-by", "row", "--output", lit)
+        draw(legacy, "--line-width", 2, "--size", "300x200", "--color-by", "row", "--importance",
+             "row", "--output", faded)
+        brightness = [sum(map(sum, pixels(p)[1])) for p in (lit, faded)]
+        assert brightness[1] > brightness[0], f"{name}: importance fades nothing"
         shadow = options.scratch / f"{name}-shadow.png"
         draw(lines, *common, "--color-by", "speed", "--shadows", "soft", "--occlusion", "spherical",
              "--output", shadow)
@@ -161,6 +167,9 @@ def test_examples():
 
     refused("--line-width takes a number of pixels above 0", lines, "--line-width", 0)
     refused("--shadows and --occlusion are for tubes", lines, "--line-width", 2, "--shadows", "soft")
+    refused("--shadows and --occlusion are for tubes", lines, "--importance", "speed",
+            "--shadows", "soft")
+    refused('there is no array "nothing"', lines, "--importance", "nothing")
     refused("--shadows takes one of none hard level soft", lines, "--shadows", "dark")
     refused("--occlusion takes one of none spherical hemisphere", lines, "--occlusion", "hard")
     refused("there is no array", lines, "--color-by", "nothing")

@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the lines of a file (.vtp, .vtk) as tubes or as lit lines, into a window or a picture."""
+"""Draws the lines of a file (.vtp, .vtk) as tubes or as lit lines, into a window or a picture; with
+--importance what hides important lines fades."""
 import argparse
 import os
 
 import vtkmodules.vtkInteractionStyle
-from linesets import vtkIlluminatedLineMapper, vtkVoxelLineMapper
+from linesets import vtkFourierOpacityMapper, vtkIlluminatedLineMapper, vtkVoxelLineMapper
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -22,13 +23,17 @@ parser.add_argument("--line-width", type=float, metavar="W",
                     help="draw lines of so many pixels in place of tubes")
 parser.add_argument("--opacity", type=float, default=1.0)
 parser.add_argument("--color-by", metavar="ARRAY", help="of points or cells; vectors by magnitude")
+parser.add_argument("--importance", metavar="ARRAY",
+                    help="of points or cells: lines of low values fade where they hide high ones")
 parser.add_argument("--shadows", choices=SHADOWS, default="none")
 parser.add_argument("--occlusion", choices=OCCLUSIONS, default="none")
 parser.add_argument("--size", default="1024x768", metavar="WxH")
 parser.add_argument("--output", metavar="PNG", help="without it, a window opens")
 options = parser.parse_args()
+if options.importance and options.line_width is None:
+    options.line_width = 1.0
 if options.line_width is not None and (options.shadows, options.occlusion) != ("none", "none"):
-    parser.error("--shadows and --occlusion are for tubes, not for --line-width")
+    parser.error("--shadows and --occlusion are for tubes, not for --line-width or --importance")
 
 if not os.path.isfile(options.file):
     parser.error(f"there is no file {options.file}")
@@ -38,7 +43,21 @@ reader.Update()
 lines = reader.GetOutput()
 if lines.GetNumberOfLines() == 0:
     parser.error(f"{options.file} holds no lines")
-if options.line_width is None:
+def find_array(name):
+    """The array of points or else of cells, and which of the two."""
+    for data in (lines.GetPointData(), lines.GetCellData()):
+        if data.GetArray(name):
+            return data.GetArray(name), data is lines.GetPointData()
+    names = [data.GetArrayName(i) or "" for data in (lines.GetPointData(), lines.GetCellData())
+             for i in range(data.GetNumberOfArrays())]
+    return parser.error(f'there is no array "{name}", but {" ".join(names) or "none"}')
+
+
+if options.importance:
+    find_array(options.importance)
+    mapper = vtkFourierOpacityMapper()
+    mapper.SetImportanceArrayName(options.importance)
+elif options.line_width is None:
     mapper = vtkVoxelLineMapper()
     mapper.SetRadius(options.radius)
     mapper.GetGlobalIllumination().SetShadows(SHADOWS.index(options.shadows))
@@ -48,14 +67,7 @@ else:
 mapper.SetInputData(lines)
 mapper.SetScalarVisibility(options.color_by is not None)
 if options.color_by:
-    array = lines.GetPointData().GetArray(options.color_by)
-    on_points = array is not None
-    if not on_points:
-        array = lines.GetCellData().GetArray(options.color_by)
-    if array is None:
-        names = [data.GetArrayName(i) or "" for data in (lines.GetPointData(), lines.GetCellData())
-                 for i in range(data.GetNumberOfArrays())]
-        parser.error(f'there is no array "{options.color_by}", but {" ".join(names) or "none"}')
+    array, on_points = find_array(options.color_by)
     table = mapper.GetLookupTable()
     table.SetHueRange(0.667, 0.0)
     table.SetVectorModeToMagnitude()

@@ -4,15 +4,16 @@
  * Draws the lines of a file as tubes or as lit lines, into a window or a picture.
  *
  *   RenderLines FILE [--radius R | --line-width W] [--opacity A] [--color-by ARRAY]
- *     [--shadows none|hard|level|soft] [--occlusion none|spherical|hemisphere] [--size WxH]
- *     [--output PNG]
+ *     [--importance ARRAY] [--shadows none|hard|level|soft]
+ *     [--occlusion none|spherical|hemisphere] [--size WxH] [--output PNG]
  *
  * FILE is anything VTK reads by itself (.vtp, .vtk, ...). The radius is in data units, by default
  * 1/512 of the longest side of the data. With --line-width lines of so many pixels
- * take the place of tubes, without shadows and occlusion. Without --output an interactive window
- * opens.
+ * take the place of tubes, without shadows and occlusion. With --importance lines of low values of
+ * the array fade where they hide high ones. Without --output an interactive window opens.
  */
 
+#include "vtkFourierOpacityMapper.h"
 #include "vtkIlluminatedLineMapper.h"
 #include "vtkLineGlobalIllumination.h"
 #include "vtkVoxelLineMapper.h"
@@ -51,7 +52,8 @@
 namespace
 {
 const char* const Usage = "usage: RenderLines FILE [--radius R | --line-width W] [--opacity A] "
-                          "[--color-by ARRAY] [--shadows none|hard|level|soft] "
+                          "[--color-by ARRAY] [--importance ARRAY] "
+                          "[--shadows none|hard|level|soft] "
                           "[--occlusion none|spherical|hemisphere] [--size WxH] [--output PNG]\n";
 
 struct Options
@@ -61,6 +63,7 @@ struct Options
   double LineWidth = 0.0; // 0: tubes
   double Opacity = 1.0;
   std::string ColorBy;
+  std::string Importance;
   int Shadows = vtkLineGlobalIllumination::NoShadows;
   int Occlusion = vtkLineGlobalIllumination::NoOcclusion;
   int Size[2] = { 1024, 768 };
@@ -144,6 +147,10 @@ Options ParseOptions(int argc, char* argv[])
     {
       options.ColorBy = value;
     }
+    else if (argument == "--importance")
+    {
+      options.Importance = value;
+    }
     else if (argument == "--shadows")
     {
       options.Shadows = ParseName(argument, value, { "none", "hard", "level", "soft" });
@@ -170,9 +177,14 @@ Options ParseOptions(int argc, char* argv[])
   {
     throw std::runtime_error("no file was named");
   }
+  if (!options.Importance.empty() && options.LineWidth == 0.0)
+  {
+    options.LineWidth = 1.0;
+  }
   if (options.LineWidth > 0.0 && (options.Shadows != 0 || options.Occlusion != 0))
   {
-    throw std::runtime_error("--shadows and --occlusion are for tubes, not for --line-width");
+    throw std::runtime_error("--shadows and --occlusion are for tubes, not for --line-width "
+                             "or --importance");
   }
   return options;
 }
@@ -210,28 +222,35 @@ vtkSmartPointer<vtkPolyData> ReadLines(const std::string& file)
   return lines;
 }
 
+vtkDataArray* FindArray(const std::string& name, vtkPolyData* lines)
+{
+  std::string names;
+  for (vtkFieldData* fields : { static_cast<vtkFieldData*>(lines->GetPointData()),
+         static_cast<vtkFieldData*>(lines->GetCellData()) })
+  {
+    if (vtkDataArray* array = fields->GetArray(name.c_str()))
+    {
+      return array;
+    }
+    for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+    {
+      names += std::string(" ") + (fields->GetArrayName(i) ? fields->GetArrayName(i) : "");
+    }
+  }
+  throw std::runtime_error(
+    "there is no array \"" + name + "\", but" + (names.empty() ? " none" : names));
+}
+
 void ColorBy(const std::string& name, vtkPolyData* lines, vtkMapper* mapper)
 {
-  vtkDataArray* array = lines->GetPointData()->GetArray(name.c_str());
-  mapper->SetScalarModeToUsePointFieldData();
-  if (!array)
+  vtkDataArray* array = FindArray(name, lines);
+  if (lines->GetPointData()->GetArray(name.c_str()))
   {
-    array = lines->GetCellData()->GetArray(name.c_str());
-    mapper->SetScalarModeToUseCellFieldData();
+    mapper->SetScalarModeToUsePointFieldData();
   }
-  if (!array)
+  else
   {
-    std::string names;
-    for (vtkFieldData* fields : { static_cast<vtkFieldData*>(lines->GetPointData()),
-           static_cast<vtkFieldData*>(lines->GetCellData()) })
-    {
-      for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
-      {
-        names += std::string(" ") + (fields->GetArrayName(i) ? fields->GetArrayName(i) : "");
-      }
-    }
-    throw std::runtime_error(
-      "there is no array \"" + name + "\", but" + (names.empty() ? " none" : names));
+    mapper->SetScalarModeToUseCellFieldData();
   }
 
   // From blue over pale yellow to red. Vectors are coloured by magnitude; NaN does not count for
@@ -300,7 +319,14 @@ void Render(const Options& options)
 {
   vtkSmartPointer<vtkPolyData> lines = ReadLines(options.File);
   vtkSmartPointer<vtkPolyDataMapper> mapper;
-  if (options.LineWidth > 0.0)
+  if (!options.Importance.empty())
+  {
+    FindArray(options.Importance, lines);
+    auto fading = vtkSmartPointer<vtkFourierOpacityMapper>::New();
+    fading->SetImportanceArrayName(options.Importance);
+    mapper = fading;
+  }
+  else if (options.LineWidth > 0.0)
   {
     mapper = vtkSmartPointer<vtkIlluminatedLineMapper>::New();
   }
