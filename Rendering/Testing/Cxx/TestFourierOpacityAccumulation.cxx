@@ -270,13 +270,13 @@ void CheckTransition(Checks& check, bool isPass)
     check(scene.GetNumber() == 1, name + "no mean while opacities may follow");
   }
   // Rendered once in a while: opacities arrive before pictures are added.
-  scene.GetOptimization()->SetTransitionTime(0.2);
+  scene.GetOptimization()->SetTransitionTime(0.1);
   scene.Render();
   scene.GetOptimization()->SetForegroundWeight(0.0);
   scene.GetOptimization()->SetBackgroundWeight(0.0);
   scene.Render();
   check(scene.GetNumber() == 1, name + "a change begins anew");
-  sleep(600);
+  sleep(350);
   CheckSame(check, name + "opacities have arrived", scene.Render(), goal, 2);
   check(scene.GetNumber() == 1, name + "the first one at rest");
   for (int i = 2; i < 7; ++i)
