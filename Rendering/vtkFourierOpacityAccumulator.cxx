@@ -40,6 +40,8 @@ int vtkFourierOpacityAccumulator::Begin(vtkRenderer* renderer, vtkObject* settin
   vtkCamera* camera = renderer->GetActiveCamera();
   AddMatrix(camera->GetModelViewTransformMatrix(), key);
   AddMatrix(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0), key);
+  // Halos have the colour of the background.
+  key.insert(key.end(), renderer->GetBackground(), renderer->GetBackground() + 3);
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator cookie;
   props->InitTraversal(cookie);
@@ -54,10 +56,16 @@ int vtkFourierOpacityAccumulator::Begin(vtkRenderer* renderer, vtkObject* settin
   {
     // A headlight is moved along in each frame; where it is follows from the camera.
     key.push_back(ToNumber(light->GetSwitch()));
+    key.push_back(ToNumber(light->GetPositional()));
     key.push_back(light->GetIntensity());
-    key.insert(key.end(), light->GetDiffuseColor(), light->GetDiffuseColor() + 3);
-    key.insert(key.end(), light->GetPosition(), light->GetPosition() + 3);
-    key.insert(key.end(), light->GetFocalPoint(), light->GetFocalPoint() + 3);
+    key.push_back(light->GetConeAngle());
+    key.push_back(light->GetExponent());
+    for (const double* three :
+      { light->GetAmbientColor(), light->GetDiffuseColor(), light->GetSpecularColor(),
+        light->GetAttenuationValues(), light->GetPosition(), light->GetFocalPoint() })
+    {
+      key.insert(key.end(), three, three + 3);
+    }
   }
   if (key != this->Key)
   {

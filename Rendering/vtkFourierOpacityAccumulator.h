@@ -26,6 +26,9 @@ public:
    */
   int Begin(vtkRenderer* renderer, vtkObject* settings, int largest);
 
+  /// Make the picture that was begun the first one.
+  void Restart() { this->Number = 0; }
+
   /// The picture was added, or there was no picture.
   void Add() { ++this->Number; }
   void Forget() { this->Key.clear(); }

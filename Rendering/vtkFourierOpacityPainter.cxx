@@ -86,14 +86,17 @@ void vtkFourierOpacityPainter::PrepareView(View& view, vtkFourierOpacityFrame& f
   if (largest > 1)
   {
     frame.Number = view.Accumulator.Begin(view.Renderer, frame.Optimization, largest);
-    // While opacities follow, no picture shows the same as the one before.
-    const bool follows = std::chrono::duration<double>(time - view.LastChange).count() < transition;
+    // While opacities follow, no picture shows the same as the one before. They follow with each
+    // picture: the first one that counts is the first one after a picture in which they rested.
+    const bool follows = transition > 0.0 &&
+      std::chrono::duration<double>(view.Time - view.LastChange).count() < transition;
     if (frame.Number == 0)
     {
       view.LastChange = time;
     }
     else if (follows)
     {
+      view.Accumulator.Restart();
       frame.Number = 0;
     }
     const glm::dvec2 offset =

@@ -140,21 +140,16 @@ void vtkFourierOpacityTargets::Bind(
   this->Framebuffer->Bind();
   const auto count = static_cast<unsigned int>(textures.size());
   const auto old = static_cast<unsigned int>(this->Framebuffer->GetNumberOfColorAttachments());
-  for (unsigned int i = count; i < old; ++i)
-  {
-    this->Framebuffer->RemoveColorAttachment(i);
-  }
+  // All are removed: VTK takes a texture for attached that was attached before it got another size.
+  this->Framebuffer->RemoveColorAttachments(old);
   for (unsigned int i = 0; i < count; ++i)
   {
     this->Framebuffer->AddColorAttachment(i, textures[i]);
   }
+  this->Framebuffer->RemoveDepthAttachment();
   if (depth)
   {
     this->Framebuffer->AddDepthAttachment(depth);
-  }
-  else
-  {
-    this->Framebuffer->RemoveDepthAttachment();
   }
   // VTK's state takes draw buffers after the first one for those of the framebuffer bound before,
   // and would not set what it takes for set.

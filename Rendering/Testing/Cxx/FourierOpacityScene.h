@@ -68,6 +68,25 @@ inline void CheckSame(Checks& check, const std::string& name, const Picture& pic
   const Difference difference = Compare(picture, expected);
   check(difference.Largest <= tolerance, name + VoxelLineMapperTesting::Describe(difference));
 }
+
+/// The part of a picture that begins at a pixel.
+inline Picture Cut(const Picture& picture, int x, int y, int width, int height)
+{
+  Picture part;
+  part.Width = width;
+  part.Height = height;
+  for (int j = y; j < y + height; ++j)
+  {
+    for (int i = x; i < x + width; ++i)
+    {
+      for (int value : picture.At(i, j))
+      {
+        part.Bytes.push_back(static_cast<unsigned char>(value));
+      }
+    }
+  }
+  return part;
+}
 }
 
 #endif

@@ -16,25 +16,6 @@ constexpr Method Methods[] = { { Optimization::Fourier, Optimization::SeriesImpo
   { Optimization::WeightedAverage, Optimization::ExactImportance },
   { Optimization::FragmentLists, Optimization::ExactImportance } };
 
-// The part of a picture that begins at a pixel.
-Picture Cut(const Picture& picture, int x, int y, int width, int height)
-{
-  Picture part;
-  part.Width = width;
-  part.Height = height;
-  for (int j = y; j < y + height; ++j)
-  {
-    for (int i = x; i < x + width; ++i)
-    {
-      for (int value : picture.At(i, j))
-      {
-        part.Bytes.push_back(static_cast<unsigned char>(value));
-      }
-    }
-  }
-  return part;
-}
-
 void CheckViewports(Checks& check, const Method& method)
 {
   Scene alone(method);
