@@ -7,6 +7,14 @@
 
 #include <algorithm>
 
+namespace
+{
+bool AreSame(const vtkFourierOpacityGroup& a, const vtkFourierOpacityGroup& b)
+{
+  return a.Owner == b.Owner && a.BuildTime == b.BuildTime && a.Count == b.Count;
+}
+}
+
 //------------------------------------------------------------------------------
 vtkFourierOpacityElements::vtkFourierOpacityElements() = default;
 
@@ -21,10 +29,7 @@ void vtkFourierOpacityElements::SetGroups(const std::vector<vtkFourierOpacityGro
   for (const vtkFourierOpacityGroup& group : groups)
   {
     const auto isSame = [&group](const std::unique_ptr<State>& state)
-    {
-      return state && state->Source.Owner == group.Owner &&
-        state->Source.BuildTime == group.BuildTime && state->Source.Count == group.Count;
-    };
+    { return state && AreSame(state->Source, group); };
     auto found = std::find_if(this->States.begin(), this->States.end(), isSame);
     std::unique_ptr<State> state;
     if (found != this->States.end())
@@ -52,6 +57,13 @@ void vtkFourierOpacityElements::SetGroups(const std::vector<vtkFourierOpacityGro
   }
   this->States = std::move(states);
   this->Shown.resize(static_cast<std::size_t>(this->Total));
+}
+
+//------------------------------------------------------------------------------
+bool vtkFourierOpacityElements::IsGroup(
+  std::size_t group, const vtkFourierOpacityGroup& elements) const
+{
+  return group < this->States.size() && AreSame(this->States[group]->Source, elements);
 }
 
 //------------------------------------------------------------------------------

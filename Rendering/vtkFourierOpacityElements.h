@@ -50,6 +50,9 @@ public:
   std::size_t GetNumberOfGroups() const { return this->States.size(); }
   vtkIdType GetFirstElement(std::size_t group) const { return this->States[group]->First; }
 
+  /// Whether these are the elements of a group.
+  bool IsGroup(std::size_t group, const vtkFourierOpacityGroup& elements) const;
+
   /**
    * Take the smallest opacities of a frame. 2^shift elements share a place of the array. blend is
    * the part of the change that is made, 1 for all of it.

@@ -97,6 +97,7 @@ void vtkFourierOpacityFrame::DrawStage(vtkFourierOpacityStage& stage)
       this->Lists->SetParameters(program);
     }
   };
+  stage.MakeKey();
   stage.Reduction = stage.IsReduced ? this->Reduction : 1;
   for (std::size_t i = 0; i < this->Items.size(); ++i)
   {

@@ -9,6 +9,7 @@
 #include "vtkFloatArray.h"
 #include "vtkFourierOpacityElements.h"
 #include "vtkFourierOpacityPainter.h"
+#include "vtkFourierOpacityPrograms.h"
 #include "vtkFourierOpacityShader.h"
 #include "vtkFourierOpacityStage.h"
 #include "vtkFourierOpacityVertices.h"
@@ -44,8 +45,7 @@ public:
   bool IsRendering = false;
   // What is drawn: null for what vtkIlluminatedLineMapper draws.
   const vtkFourierOpacityStage* Stage = nullptr;
-  // Stages of the programs that the primitives have.
-  std::map<const vtkOpenGLHelper*, std::string> Keys;
+  vtkFourierOpacityPrograms Programs;
 
   // By itself.
   std::shared_ptr<vtkFourierOpacityPainter> Painter = std::make_shared<vtkFourierOpacityPainter>();
@@ -171,14 +171,14 @@ void vtkFourierOpacityMapper::SetImportanceRange(double low, double high)
 void vtkFourierOpacityMapper::SetNumberOfLineSegments(int number)
 {
   vtkLineSetsSetInRange(this, "NumberOfLineSegments", this->NumberOfLineSegments, number, 1,
-    vtkOpacitySegments::LargestNumberOfSegments + 0);
+    int{ vtkOpacitySegments::LargestNumberOfSegments });
 }
 
 //------------------------------------------------------------------------------
 void vtkFourierOpacityMapper::SetNumberOfPatches(int number)
 {
   vtkLineSetsSetInRange(this, "NumberOfPatches", this->NumberOfPatches, number, 1,
-    vtkOpacitySegments::LargestNumberOfSegments + 0);
+    int{ vtkOpacitySegments::LargestNumberOfSegments });
 }
 
 //------------------------------------------------------------------------------
@@ -314,10 +314,10 @@ void vtkFourierOpacityMapper::SetSelectionPainter(
 void vtkFourierOpacityMapper::RenderSelection(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkInternals& internals = *this->Internals;
-  this->UpdateElements();
+  const vtkFourierOpacityGroup elements = this->UpdateElements();
   vtkFourierOpacityStage stage;
   const std::shared_ptr<vtkFourierOpacityPainter> painter = internals.SelectionPainter.lock();
-  const bool known = painter && painter->BeginSelection(renderer, { actor, this }, stage);
+  const bool known = painter && painter->BeginSelection(renderer, { actor, this }, elements, stage);
   internals.Stage = known ? &stage : nullptr;
   this->Superclass::RenderPiece(renderer, actor);
   internals.Stage = nullptr;
@@ -406,14 +406,34 @@ bool vtkFourierOpacityMapper::HaveWideLines(vtkRenderer* renderer, vtkActor* act
 bool vtkFourierOpacityMapper::GetNeedToRebuildShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
 {
+  const bool isKnown = cellBO.Program != nullptr;
   const bool isNeeded = this->Superclass::GetNeedToRebuildShaders(cellBO, renderer, actor);
+  if (isKnown && isNeeded)
+  {
+    // Something has changed that other stages depend on as well, and that is told once only.
+    this->Internals->Programs.ForgetOthers(cellBO);
+  }
+  return isNeeded || !isKnown;
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::UpdateShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
   const vtkFourierOpacityStage* stage = this->Internals->Stage;
-  std::string& last = this->Internals->Keys[&cellBO];
-  const std::string key =
-    stage ? stage->GetKey() + (HasLateOpacity(actor) ? "late" : "") : std::string();
-  const bool isOther = key != last;
-  last = key;
-  return isNeeded || isOther;
+  this->LastBoundBO = &cellBO;
+  std::size_t key = 0;
+  if (stage)
+  {
+    // What else the shaders of a stage depend on.
+    const std::size_t details = 1 + (HasLateOpacity(actor) ? 2 : 0) +
+      (this->HaveWideLines(renderer, actor) ? 4 : 0) +
+      (this->Internals->Vertices.GetElements() ? 8 : 0);
+    key = stage->Key ^ (details << 56);
+  }
+  this->Internals->Programs.Use(
+    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), cellBO, key);
+  this->Superclass::UpdateShaders(cellBO, renderer, actor);
 }
 
 //------------------------------------------------------------------------------
@@ -542,6 +562,7 @@ void vtkFourierOpacityMapper::SetHaloParameters(
 void vtkFourierOpacityMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Painter->ReleaseGraphicsResources(window);
+  this->Internals->Programs.Clear();
   this->Internals->Layer.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }

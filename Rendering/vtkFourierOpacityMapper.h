@@ -90,7 +90,7 @@ public:
   /**
    * Values of the array that count as unimportant and as most important, 0 and 1; others lie
    * between or are clamped. Default (1, 0): the first is above the second, and the range of the
-   * array's finite values counts. NaN is an error.
+   * array's finite values counts. NaN and infinity are errors.
    */
   virtual void SetImportanceRange(double low, double high);
   void SetImportanceRange(const double range[2]) { this->SetImportanceRange(range[0], range[1]); }
@@ -149,6 +149,7 @@ protected:
   ~vtkFourierOpacityMapper() override;
 
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
+  void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
   bool HaveWideLines(vtkRenderer* renderer, vtkActor* actor) override;
   bool GetNeedToRebuildShaders(
     vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;

@@ -26,6 +26,7 @@ struct vtkFourierOpacityPainter::View
 {
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkFourierOpacityElements Elements;
+  std::vector<Item> Items; ///< of the last picture; compared, never followed
   vtkFourierOpacityView Last;
   bool HasLast = false;
   std::chrono::steady_clock::time_point Time;
@@ -58,7 +59,6 @@ std::string vtkFourierOpacityPainter::Check(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 vtkFourierOpacityPainter::View& vtkFourierOpacityPainter::GetView(vtkRenderer* renderer)
 {
-  this->LastView = nullptr;
   this->Views.remove_if([](const std::unique_ptr<View>& view) { return !view->Renderer; });
   for (const std::unique_ptr<View>& view : this->Views)
   {
@@ -148,6 +148,7 @@ std::string vtkFourierOpacityPainter::Show(View& view, vtkFourierOpacityFrame& f
   else
   {
     frame.State->vtkglEnable(GL_BLEND);
+    frame.State->vtkglBlendEquation(GL_FUNC_ADD);
     frame.State->vtkglBlendFuncSeparate(
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   }
@@ -195,8 +196,7 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
   }
   now.Set(renderer, actors);
   View& view = this->GetView(renderer);
-  this->LastView = &view;
-  this->LastItems = items;
+  view.Items = items;
   std::vector<vtkFourierOpacityGroup> groups;
   for (const Item& item : items)
   {
@@ -237,30 +237,41 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
   this->NumberOfAccumulatedPictures = frame.Number < 0 ? 1 : view.Accumulator.GetNumber();
   if (this->GetNumberOfDroppedFragments() > 0)
   {
-    warning = std::to_string(this->GetNumberOfDroppedFragments()) +
-      " fragments did not fit into the lists and are not drawn: MaximumListMemory is " +
-      std::to_string(optimization->GetMaximumListMemory()) + " MiB.";
+    // Their number, which changes with every view, is told by a getter.
+    warning = "Fragments did not fit into the lists and are not drawn: MaximumListMemory is " +
+      std::to_string(optimization->GetMaximumListMemory()) +
+      " MiB. GetNumberOfDroppedFragments() tells how many.";
   }
   return error;
 }
 
 //------------------------------------------------------------------------------
-bool vtkFourierOpacityPainter::BeginSelection(
-  vtkRenderer* renderer, const Item& item, vtkFourierOpacityStage& stage)
+bool vtkFourierOpacityPainter::BeginSelection(vtkRenderer* renderer, const Item& item,
+  const vtkFourierOpacityGroup& elements, vtkFourierOpacityStage& stage)
 {
-  vtkTextureObject* texture = this->Steps.GetOpacities().GetTexture();
-  const auto found = std::find_if(this->LastItems.begin(), this->LastItems.end(),
-    [&item](const Item& last) { return last.Actor == item.Actor && last.Mapper == item.Mapper; });
-  if (!this->LastView || this->LastView->Renderer != renderer || found == this->LastItems.end() ||
-    texture->GetHandle() == 0)
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const auto view = std::find_if(this->Views.begin(), this->Views.end(),
+    [renderer](const std::unique_ptr<View>& known) { return known->Renderer == renderer; });
+  if (view == this->Views.end() || !window || window != this->Window.GetPointer())
   {
     return false;
   }
+  const std::vector<Item>& items = (*view)->Items;
+  const auto found = std::find_if(items.begin(), items.end(),
+    [&item](const Item& last) { return last.Actor == item.Actor && last.Mapper == item.Mapper; });
+  const auto place = static_cast<std::size_t>(found - items.begin());
+  // Elements of another input have no opacities yet.
+  if (found == items.end() || !(*view)->Elements.IsGroup(place, elements) ||
+    !this->Steps.UploadOpacities(window, (*view)->Elements).empty())
+  {
+    return false;
+  }
+  vtkTextureObject* texture = this->Steps.GetOpacities().GetTexture();
   texture->Activate();
-  const auto first =
-    static_cast<int>(this->LastView->Elements.GetFirstElement(found - this->LastItems.begin()));
-  const int shift = this->Steps.GetElementShift();
+  const auto first = static_cast<int>((*view)->Elements.GetFirstElement(place));
+  const int shift = vtkFourierOpacitySteps::GetElementShift(window, (*view)->Elements);
   stage = vtkFourierOpacityStages::Select();
+  stage.MakeKey();
   stage.SetParameters = [texture, first, shift](vtkShaderProgram* program)
   {
     program->SetUniformi("fourierOpacities", texture->GetTextureUnit());
@@ -285,13 +296,6 @@ vtkIdType vtkFourierOpacityPainter::GetNumberOfBytes() const
     bytes += vtkFourierOpacityTargets::GetNumberOfColorBytes(view->Sum);
   }
   return bytes;
-}
-
-//------------------------------------------------------------------------------
-const std::vector<float>& vtkFourierOpacityPainter::GetOpacities() const
-{
-  static const std::vector<float> none;
-  return this->LastView ? this->LastView->Elements.GetOpacities() : none;
 }
 
 //------------------------------------------------------------------------------

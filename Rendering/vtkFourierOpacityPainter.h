@@ -33,6 +33,7 @@
 #include <string>
 #include <vector>
 
+struct vtkFourierOpacityGroup;
 class vtkOpacityOptimization;
 class vtkRenderer;
 class vtkTextureObject;
@@ -67,10 +68,11 @@ public:
   vtkTextureObject* GetDepth() const { return this->Steps.Targets.Depth; }
 
   /**
-   * Describe how a selection draws an item of the last picture, and make its opacities readable
-   * until EndSelection(). Returns false where the renderer's last picture had no such item.
+   * Describe how a selection draws an item, and make its opacities readable until EndSelection().
+   * Returns false where the renderer's last picture had no such item with these elements.
    */
-  bool BeginSelection(vtkRenderer* renderer, const Item& item, vtkFourierOpacityStage& stage);
+  bool BeginSelection(vtkRenderer* renderer, const Item& item,
+    const vtkFourierOpacityGroup& elements, vtkFourierOpacityStage& stage);
   void EndSelection();
 
   /// Bytes on the graphics device: of all, and of the sums alone.
@@ -88,9 +90,6 @@ public:
   int GetNumberOfAccumulatedPictures() const { return this->NumberOfAccumulatedPictures; }
   double GetMeanDepthComplexity() const { return this->Steps.GetLists().GetMeanNumberPerPixel(); }
 
-  /// Opacities of the elements of the last picture.
-  const std::vector<float>& GetOpacities() const;
-
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
@@ -107,8 +106,6 @@ private:
 
   vtkFourierOpacitySteps Steps;
   std::list<std::unique_ptr<View>> Views;
-  View* LastView = nullptr;
-  std::vector<Item> LastItems; ///< compared, never followed
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   int NumberOfAccumulatedPictures = 0;
 };

@@ -168,7 +168,8 @@ void vtkFourierOpacityPass::DrawOthers(const vtkRenderState* state)
   const bool mixed = !internals.Items.empty() && number > 0;
   if (mixed && number != internals.NumberOfOthers)
   {
-    vtkWarningMacro(<< number << " translucent props have no vtkFourierOpacityMapper: they are "
+    vtkWarningMacro(<< number
+                    << " translucent props are no actors with a vtkFourierOpacityMapper: they are "
                     << (internals.TranslucentPass ? "drawn over what this pass draws, whatever "
                                                     "their depth."
                                                   : "not drawn, since there is no "

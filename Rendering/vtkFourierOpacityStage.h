@@ -59,11 +59,12 @@ struct vtkFourierOpacityStage
   /// Pixels of a row of the full picture to one of a reduced picture.
   int Reduction = 1;
 
-  /// Differs where shaders differ.
-  std::string GetKey() const
+  /// Tells shaders apart that differ; MakeKey() sets it when all else is set.
+  std::size_t Key = 0;
+  void MakeKey()
   {
-    return std::to_string(this->Kind) + (this->HaloWidth > 0.0 ? "halo" : "") + this->Extensions +
-      this->Declarations + this->Code;
+    this->Key = std::hash<std::string>()(std::to_string(this->Kind) +
+      (this->HaloWidth > 0.0 ? "halo" : "") + this->Extensions + this->Declarations + this->Code);
   }
 };
 

@@ -120,6 +120,10 @@ std::string vtkFourierOpacityStages::GetDeclarations(bool readsSums) const
     text += "float fourierCoefficient(int i) { return 0.0; }\n";
   }
   return text + vtkFourierOpacity + vtkFourierOpacityDepth +
+    // Whether an element is of the subset; what belongs to none is not.
+    "bool fourierIsInSubset(int element) { return element >= 0 && element % " +
+    std::to_string(this->Subset) +
+    " == 0; }\n"
     "uniform sampler2D fourierScene;\n"
     "uniform sampler2D fourierBounds;\n"
     "uniform vec4 fourierWeights;\n"
@@ -168,8 +172,7 @@ vtkFourierOpacityStage vtkFourierOpacityStages::SumImportance(const Outputs& out
   stage.Code = DiscardHidden;
   if (this->Subset > 1)
   {
-    stage.Code += "  if (fourierElementVSOutput % " + std::to_string(this->Subset) +
-      " != 0)\n  {\n    discard;\n  }\n";
+    stage.Code += "  if (!fourierIsInSubset(fourierElementVSOutput))\n  {\n    discard;\n  }\n";
   }
   if (outputs.Count > 0)
   {
@@ -202,9 +205,8 @@ vtkFourierOpacityStage vtkFourierOpacityStages::FindOpacities() const
   const bool paper = this->Blending == vtkOpacityOptimization::PaperFourier;
   // In a subset, those that count stand for several.
   const std::string own = this->Subset > 1
-    ? "  float fourierOwn = fourierElementVSOutput % " + std::to_string(this->Subset) +
-      " == 0 ? float(" + std::to_string(this->Subset) +
-      ") * fourierCoverage * fourierG * fourierG : 0.0;\n"
+    ? "  float fourierOwn = fourierIsInSubset(fourierElementVSOutput) ? float(" +
+      std::to_string(this->Subset) + ") * fourierCoverage * fourierG * fourierG : 0.0;\n"
     : "  float fourierOwn = fourierCoverage * fourierG * fourierG;\n";
   stage.Code = std::string(DiscardHidden) +
     "  float fourierG = clamp(fourierImportanceVSOutput, 0.0, 1.0);\n" + own +
@@ -258,8 +260,7 @@ vtkFourierOpacityStage vtkFourierOpacityStages::SumOpticalDepth(const Outputs& o
     Number(this->OpaqueThreshold) + ")\n  {\n    discard;\n  }\n";
   if (this->Subset > 1)
   {
-    stage.Code += "  if (fourierElementVSOutput % " + std::to_string(this->Subset) +
-      " != 0)\n  {\n    discard;\n  }\n";
+    stage.Code += "  if (!fourierIsInSubset(fourierElementVSOutput))\n  {\n    discard;\n  }\n";
   }
   stage.Code += std::string("  float fourierD = ") +
     (this->HasBounds ? "fourierPixelDepth(fourierSceneDepth(%Z))" : "fourierSceneDepth(%Z)") +
@@ -291,8 +292,8 @@ vtkFourierOpacityStage vtkFourierOpacityStages::AddColors() const
   {
     const bool paper = this->Blending == vtkOpacityOptimization::PaperFourier;
     const std::string own = this->Subset > 1
-      ? "(fourierElementVSOutput % " + std::to_string(this->Subset) + " == 0 ? float(" +
-        std::to_string(this->Subset) + ") * fourierTau : 0.0)"
+      ? "(fourierIsInSubset(fourierElementVSOutput) ? float(" + std::to_string(this->Subset) +
+        ") * fourierTau : 0.0)"
       : "fourierTau";
     stage.Code += depth +
       "  fourierFetch(ivec2(gl_FragCoord.xy));\n"

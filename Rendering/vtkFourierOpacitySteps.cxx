@@ -68,11 +68,11 @@ std::string vtkFourierOpacitySteps::Prepare(vtkFourierOpacityFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFourierOpacitySteps::UploadElements(vtkFourierOpacityFrame& frame,
+std::string vtkFourierOpacitySteps::UploadValues(vtkOpenGLRenderWindow* window,
   const std::vector<float>& values, vtkLineSetsBufferTexture& buffer, unsigned int format)
 {
   const int type = format == GL_R32F ? VTK_FLOAT : VTK_UNSIGNED_INT;
-  return buffer.Upload(frame.Window, values.data(), values.size(), sizeof(float), format, 1, type)
+  return buffer.Upload(window, values.data(), values.size(), sizeof(float), format, 1, type)
     ? std::string()
     : "There is no memory on the graphics device for the opacities of " +
       std::to_string(values.size()) + " segments.";
@@ -117,34 +117,35 @@ void vtkFourierOpacitySteps::SumImportance(vtkFourierOpacityFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFourierOpacitySteps::PrepareSmallest(
-  vtkFourierOpacityFrame& frame, std::vector<float>& values)
+int vtkFourierOpacitySteps::GetElementShift(
+  vtkOpenGLRenderWindow* window, const vtkFourierOpacityElements& elements)
 {
-  const vtkIdType count = std::max<vtkIdType>(frame.Elements.GetNumberOfElements(), 1);
   // Where the device takes fewer places than there are elements, neighbours share one.
   int most = 0;
-  frame.State->vtkglGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  frame.ElementShift = 0;
-  while (((count - 1) >> frame.ElementShift) >= most)
+  window->GetState()->vtkglGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  int shift = 0;
+  while (((elements.GetNumberOfElements() - 1) >> shift) >= most)
   {
-    ++frame.ElementShift;
+    ++shift;
   }
-  this->ElementShift = frame.ElementShift;
-  values.assign(static_cast<std::size_t>(((count - 1) >> frame.ElementShift) + 1),
-    vtkFourierOpacityElements::NotSeen);
-  // Floats that are not negative are in the order of their bits.
-  return this->UploadElements(frame, values, this->Smallest, GL_R32UI);
+  return shift;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkFourierOpacitySteps::FindOpacities(vtkFourierOpacityFrame& frame)
 {
-  std::vector<float> values;
-  std::string error = this->PrepareSmallest(frame, values);
-  if (error.empty() && frame.Number > 0)
+  frame.ElementShift = GetElementShift(frame.Window, frame.Elements);
+  if (frame.Number > 0)
   {
-    return this->UploadOpacities(frame, values);
+    // What was found for the first picture of this view.
+    return this->UploadOpacities(frame.Window, frame.Elements);
   }
+  const vtkIdType last = std::max<vtkIdType>(frame.Elements.GetNumberOfElements() - 1, 0);
+  std::vector<float>& values = this->Values;
+  values.assign(
+    static_cast<std::size_t>((last >> frame.ElementShift) + 1), vtkFourierOpacityElements::NotSeen);
+  // Floats that are not negative are in the order of their bits.
+  std::string error = this->UploadValues(frame.Window, values, this->Smallest, GL_R32UI);
   if (!error.empty())
   {
     return error;
@@ -185,25 +186,26 @@ std::string vtkFourierOpacitySteps::FindOpacities(vtkFourierOpacityFrame& frame)
   this->Smallest.Download(values.data(), values.size() * sizeof(float));
   frame.Elements.Update(
     values, frame.ElementShift, frame.Optimization->GetSmoothingIterations(), frame.Blend);
-  return this->UploadOpacities(frame, values);
+  return this->UploadOpacities(frame.Window, frame.Elements);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkFourierOpacitySteps::UploadOpacities(
-  vtkFourierOpacityFrame& frame, std::vector<float>& values)
+  vtkOpenGLRenderWindow* window, const vtkFourierOpacityElements& elements)
 {
-  const std::vector<float>& opacities = frame.Elements.GetOpacities();
-  if (frame.ElementShift == 0 && !opacities.empty())
+  const std::vector<float>& opacities = elements.GetOpacities();
+  const int shift = GetElementShift(window, elements);
+  if (shift == 0 && !opacities.empty())
   {
-    return this->UploadElements(frame, opacities, this->Opacities, GL_R32F);
+    return this->UploadValues(window, opacities, this->Opacities, GL_R32F);
   }
-  std::fill(values.begin(), values.end(), 1.0f);
+  std::vector<float> shared((opacities.size() >> shift) + 1, 1.0f);
   for (std::size_t i = 0; i < opacities.size(); ++i)
   {
-    float& value = values[i >> frame.ElementShift];
+    float& value = shared[i >> shift];
     value = std::min(value, opacities[i]);
   }
-  return this->UploadElements(frame, values, this->Opacities, GL_R32F);
+  return this->UploadValues(window, shared, this->Opacities, GL_R32F);
 }
 
 //------------------------------------------------------------------------------
@@ -395,6 +397,7 @@ std::string vtkFourierOpacitySteps::MakePicture(vtkFourierOpacityFrame& frame, c
 #ifdef GL_MULTISAMPLE
   frame.State->vtkglDisable(GL_MULTISAMPLE);
 #endif
+  frame.State->vtkglBlendEquation(GL_FUNC_ADD);
   frame.State->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   frame.State->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 

@@ -41,9 +41,13 @@ public:
 
   vtkFourierOpacityTargets Targets;
 
-  /// The opacities of the last picture, and how many elements share a place: 2^shift.
+  /// Make opacities readable, those of the last picture or those of other elements; 2^shift
+  /// elements share a place.
   vtkLineSetsBufferTexture& GetOpacities() { return this->Opacities; }
-  int GetElementShift() const { return this->ElementShift; }
+  std::string UploadOpacities(
+    vtkOpenGLRenderWindow* window, const vtkFourierOpacityElements& elements);
+  static int GetElementShift(
+    vtkOpenGLRenderWindow* window, const vtkFourierOpacityElements& elements);
 
   const vtkFragmentLists& GetLists() const { return this->Lists; }
   vtkIdType GetNumberOfDroppedFragments() const { return this->NumberOfDroppedFragments; }
@@ -55,13 +59,11 @@ private:
   vtkFourierOpacitySteps(const vtkFourierOpacitySteps&) = delete;
   void operator=(const vtkFourierOpacitySteps&) = delete;
 
-  std::string UploadElements(vtkFourierOpacityFrame& frame, const std::vector<float>& values,
+  std::string UploadValues(vtkOpenGLRenderWindow* window, const std::vector<float>& values,
     vtkLineSetsBufferTexture& buffer, unsigned int format);
   void AddSumTextures(vtkFourierOpacityFrame& frame);
   void SumImportance(vtkFourierOpacityFrame& frame);
-  std::string PrepareSmallest(vtkFourierOpacityFrame& frame, std::vector<float>& values);
   std::string FindOpacities(vtkFourierOpacityFrame& frame);
-  std::string UploadOpacities(vtkFourierOpacityFrame& frame, std::vector<float>& values);
   void DrawOpaqueLayer(vtkFourierOpacityFrame& frame);
   std::string Widen(vtkFourierOpacityFrame& frame);
   void SumOpticalDepth(vtkFourierOpacityFrame& frame);
@@ -74,7 +76,7 @@ private:
   vtkFragmentLists Lists;
   vtkLineSetsBufferTexture Smallest;
   vtkLineSetsBufferTexture Opacities;
-  int ElementShift = 0;
+  std::vector<float> Values;
   vtkIdType NumberOfDroppedFragments = 0;
 };
 

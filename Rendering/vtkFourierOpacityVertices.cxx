@@ -69,11 +69,38 @@ bool vtkFourierOpacityVertices::Update(vtkPolyData* input, const Settings& setti
   this->Last = settings;
   this->Warnings.clear();
   this->MakeImportance(input);
-  this->MakeElements(input);
-  vtkTimeStamp time;
-  time.Modified();
-  this->BuildTime = time.GetMTime();
+  const ElementsKey key = this->GetElementsKey(input);
+  if (key != this->LastElements)
+  {
+    this->LastElements = key;
+    this->ElementWarnings.clear();
+    this->MakeElements(input);
+    vtkTimeStamp time;
+    time.Modified();
+    this->BuildTime = time.GetMTime();
+  }
+  this->Warnings.insert(
+    this->Warnings.end(), this->ElementWarnings.begin(), this->ElementWarnings.end());
   return true;
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityVertices::ElementsKey vtkFourierOpacityVertices::GetElementsKey(
+  vtkPolyData* input) const
+{
+  vtkObject* parts[] = { input->GetPoints(), input->GetVerts(), input->GetLines(),
+    input->GetPolys(), input->GetStrips(),
+    input->GetPointData()->GetAbstractArray(vtkOpacitySegments::GetIdsName()),
+    input->GetPointData()->GetAbstractArray(vtkOpacitySegments::GetDistancesName()),
+    input->GetFieldData()->GetAbstractArray(vtkOpacitySegments::GetNeighborsName()) };
+  ElementsKey key;
+  for (vtkObject* part : parts)
+  {
+    key.push_back(part ? part->GetMTime() : 0);
+  }
+  key.push_back(static_cast<vtkMTimeType>(this->Last.NumberOfLineSegments));
+  key.push_back(static_cast<vtkMTimeType>(this->Last.NumberOfPatches));
+  return key;
 }
 
 //------------------------------------------------------------------------------
@@ -242,9 +269,19 @@ void vtkFourierOpacityVertices::MakeElements(vtkPolyData* input)
     distances->GetNumberOfComponents() != 4 || ids->GetNumberOfTuples() < points ||
     distances->GetNumberOfTuples() < points)
   {
-    this->Warnings.push_back("The input's arrays of segments are not those of vtkOpacitySegments, "
-                             "with 3 and 4 components and one tuple per point: each point has an "
-                             "opacity of its own.");
+    this->ElementWarnings.push_back(
+      "The input's arrays of segments are not those of vtkOpacitySegments, with 3 and 4 components "
+      "and one tuple per point: each point has an opacity of its own.");
+    return;
+  }
+  const int largest =
+    points > 0 ? *std::max_element(ids->GetPointer(0), ids->GetPointer(0) + 3 * points) : -1;
+  if (largest >= vtkOpacitySegments::LargestNumberOfSegments)
+  {
+    this->ElementWarnings.push_back("The input's array of segments has the id " +
+      std::to_string(largest) + "; ids must be below " +
+      std::to_string(int{ vtkOpacitySegments::LargestNumberOfSegments }) +
+      ": each point has an opacity of its own.");
     return;
   }
   this->Neighbors = vtkIntArray::SafeDownCast(
@@ -255,7 +292,6 @@ void vtkFourierOpacityVertices::MakeElements(vtkPolyData* input)
   this->Weights = vtkSmartPointer<vtkFloatArray>::New();
   this->Weights->SetNumberOfComponents(2);
   this->Weights->SetNumberOfTuples(points);
-  int largest = -1;
   for (vtkIdType i = 0; i < points; ++i)
   {
     const int* elements = ids->GetPointer(3 * i);
@@ -264,7 +300,6 @@ void vtkFourierOpacityVertices::MakeElements(vtkPolyData* input)
     for (int j = 0; j < 3; ++j)
     {
       this->Elements->SetTypedComponent(i, j, static_cast<float>(std::max(elements[j], -1)));
-      largest = std::max(largest, elements[j]);
     }
     // A point of no element is opaque by its first one, -1.
     this->Weights->SetTypedComponent(i, 0, elements[0] < 0 ? 1.0f : static_cast<float>(weights[0]));

@@ -6,7 +6,8 @@
  *
  * Elements are what has an opacity of its own: segments, patches and single points
  * (vtkOpacitySegments). Where the input has nothing but vertices, each point is an element, and
- * there are no arrays for that. All is made anew where the input, the array or the range changed.
+ * there are no arrays for that. Importance is made anew where the input, the array or the range
+ * changed, elements only where points or cells did.
  */
 
 #ifndef vtkFourierOpacityVertices_h
@@ -73,10 +74,15 @@ private:
   void MapToUnitRange(const std::vector<double>& values);
   void MakeElements(vtkPolyData* input);
 
+  // Points, cells, segments and settings from which elements follow.
+  using ElementsKey = std::vector<vtkMTimeType>;
+  ElementsKey GetElementsKey(vtkPolyData* input) const;
+
   // Not held: the pipeline decides how long it lives.
   vtkWeakPointer<vtkPolyData> Input;
   vtkMTimeType InputTime = 0;
   Settings Last;
+  ElementsKey LastElements;
 
   vtkNew<vtkOpacitySegments> Filter;
   vtkSmartPointer<vtkFloatArray> Importance;
@@ -86,6 +92,7 @@ private:
   vtkIdType NumberOfElements = 0;
   vtkMTimeType BuildTime = 0;
   std::vector<std::string> Warnings;
+  std::vector<std::string> ElementWarnings;
 };
 
 #endif

@@ -18,7 +18,10 @@ vtkLineSetsBufferTexture::vtkLineSetsBufferTexture()
 }
 
 //------------------------------------------------------------------------------
-vtkLineSetsBufferTexture::~vtkLineSetsBufferTexture() = default;
+vtkLineSetsBufferTexture::~vtkLineSetsBufferTexture()
+{
+  this->Release(this->Window);
+}
 
 //------------------------------------------------------------------------------
 bool vtkLineSetsBufferTexture::ForgetGLErrors()
@@ -69,6 +72,7 @@ bool vtkLineSetsBufferTexture::Allocate(vtkOpenGLRenderWindow* window, std::size
 bool vtkLineSetsBufferTexture::CreateTexture(vtkOpenGLRenderWindow* window, std::size_t texels,
   unsigned int format, int components, int vtkType)
 {
+  this->Window = window;
   this->Texture->SetContext(window);
   this->Texture->SetInternalFormat(format);
   return this->Texture->CreateTextureBuffer(
@@ -120,8 +124,28 @@ bool vtkLineSetsBufferTexture::IsGone() const
 //------------------------------------------------------------------------------
 void vtkLineSetsBufferTexture::Release(vtkWindow* window)
 {
-  this->Texture->ReleaseGraphicsResources(window);
+  if (this->Bytes == 0)
+  {
+    return;
+  }
+  // Until the texture was made there is no window to make current: the caller's is.
+  if ((!this->Window && this->Texture->GetHandle() != 0) || this->IsGone())
+  {
+    this->Forget();
+    return;
+  }
+  vtkSmartPointer<vtkOpenGLRenderWindow> own = this->Window.GetPointer();
+  if (own)
+  {
+    own->PushContext();
+  }
+  this->Texture->ReleaseGraphicsResources(own ? own.Get() : window);
   this->Buffer->ReleaseGraphicsResources();
+  if (own)
+  {
+    own->PopContext();
+  }
+  this->Window = nullptr;
   this->Bytes = 0;
 }
 
@@ -131,5 +155,6 @@ void vtkLineSetsBufferTexture::Forget()
   this->Buffer->Register(nullptr);
   this->Buffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
   this->Texture = vtkSmartPointer<vtkTextureObject>::New();
+  this->Window = nullptr;
   this->Bytes = 0;
 }

@@ -4,18 +4,20 @@
  * @class   vtkLineSetsBufferTexture
  * @brief   a buffer on the graphics device and the texture through which a shader reads it
  *
- * The context of the window must be current when it is uploaded to and when it is released.
+ * The context of the window must be current when it is uploaded to. It is made current where the
+ * buffer is released or deleted, and where it has gone, the buffer is left behind.
  */
 
 #ifndef vtkLineSetsBufferTexture_h
 #define vtkLineSetsBufferTexture_h
 
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 #include <cstddef>
 
 class vtkOpenGLBufferObject;
-class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
@@ -79,6 +81,7 @@ private:
 
   vtkSmartPointer<vtkOpenGLBufferObject> Buffer;
   vtkSmartPointer<vtkTextureObject> Texture;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::size_t Bytes = 0;
 };
 

@@ -26,6 +26,7 @@ public:
     , DepthMask(state)
     , DepthFunction(state)
     , Blending(state)
+    , Equation(state)
     , ScissorTest(state, GL_SCISSOR_TEST)
     , Blend(state, GL_BLEND)
     , DepthTest(state, GL_DEPTH_TEST)
@@ -47,6 +48,24 @@ private:
     vtkOpenGLState* State;
   };
 
+  struct BlendEquation
+  {
+    explicit BlendEquation(vtkOpenGLState* state)
+      : State(state)
+    {
+      int color = GL_FUNC_ADD;
+      int alpha = GL_FUNC_ADD;
+      glGetIntegerv(GL_BLEND_EQUATION_RGB, &color);
+      glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &alpha);
+      this->Color = static_cast<unsigned int>(color);
+      this->Alpha = static_cast<unsigned int>(alpha);
+    }
+    ~BlendEquation() { this->State->vtkglBlendEquationSeparate(this->Color, this->Alpha); }
+    vtkOpenGLState* State;
+    unsigned int Color;
+    unsigned int Alpha;
+  };
+
   FramebufferBindings Bindings;
   vtkOpenGLState::ScopedglViewport Viewport;
   vtkOpenGLState::ScopedglScissor Scissor;
@@ -55,6 +74,7 @@ private:
   vtkOpenGLState::ScopedglDepthMask DepthMask;
   vtkOpenGLState::ScopedglDepthFunc DepthFunction;
   vtkOpenGLState::ScopedglBlendFuncSeparate Blending;
+  BlendEquation Equation;
   vtkOpenGLState::ScopedglEnableDisable ScissorTest;
   vtkOpenGLState::ScopedglEnableDisable Blend;
   vtkOpenGLState::ScopedglEnableDisable DepthTest;

@@ -20,7 +20,7 @@
  * that is nearly important. With both weights 0 everything is opaque.
  *
  * <b>Series.</b> Sums along the ray are not taken over sorted fragments but as a series of few
- * terms, in fixed memory and in any order. BlendingMethod and ImportanceMethod offer other ways for
+ * terms, in fixed memory and in any order. Blending and Importance offer other ways for
  * comparison, up to the exact one, which keeps every fragment (vtkFragmentListPass).
  *
  * May be shared by several mappers and passes.
@@ -105,8 +105,7 @@ public:
   ///@{
   /**
    * Exponent lambda, 0.01 to 100: how sharply the important is told from the less important.
-   * Default
-   * 2. The paper has 1.3 to 10.
+   * Default 2. The paper has 1.3 to 10.
    */
   virtual void SetEmphasis(double emphasis);
   vtkGetMacro(Emphasis, double);
@@ -124,9 +123,11 @@ public:
   ///@{
   /**
    * Time in seconds in which opacities follow the view while it moves, 0 to 60: after it, a
-   * twentieth of a change is left. Default 0, at once. Where the view jumps or the picture has
-   * another size, opacities follow at once. Pictures are only drawn when asked for: an application
-   * renders on until the time is over.
+   * twentieth of a change is left. Default 0, at once. They also follow at once where the picture
+   * has another size or kind of projection, or the view jumps: a turn by more than 20 degrees, a
+   * zoom by more than a half, or a step of more than half the range of depths and a third of the
+   * nearest distance. Pictures are only drawn when asked for: an application renders on until the
+   * time is over.
    */
   virtual void SetTransitionTime(double seconds);
   vtkGetMacro(TransitionTime, double);
@@ -145,7 +146,7 @@ public:
   /**
    * Sums are taken over every n-th segment or point only, 1 to 10000, and n times as much is taken
    * for each; all are drawn (paper, Sec. 5.5.3). Default 1. For scenes so dense that a part stands
-   * for all.
+   * for all. Counts for series and bins only; what belongs to no segment does not count then.
    */
   virtual void SetSubset(int n);
   vtkGetMacro(Subset, int);
@@ -195,8 +196,7 @@ public:
   ///@{
   /**
    * Whether the series of a pixel's optical depth spans only the depths of what that pixel shows,
-   * in place of those of the whole scene. Default true. Without effect on PaperFourier and exact
-   * blending.
+   * in place of those of the whole scene. Default true. Counts for Fourier alone.
    */
   vtkSetMacro(TightDepth, bool);
   vtkGetMacro(TightDepth, bool);
@@ -207,7 +207,7 @@ public:
   /**
    * Opacity from which on a fragment counts as opaque, 0.5 to 1: it is drawn as opaque geometry is,
    * and what is behind it is not drawn. Default 0.98. Above 0.9999 fragments are never taken
-   * for opaque. Without effect on PaperFourier and exact blending.
+   * for opaque. Counts for Fourier alone.
    */
   virtual void SetOpaqueThreshold(double opacity);
   vtkGetMacro(OpaqueThreshold, double);
