@@ -25,6 +25,9 @@
 struct vtkFourierOpacityPainter::View
 {
   vtkWeakPointer<vtkRenderer> Renderer;
+  /// Where a mapper draws by itself: several actors may have it.
+  vtkWeakPointer<vtkActor> Actor;
+  bool IsOfActor = false;
   vtkFourierOpacityElements Elements;
   vtkFourierOpacityView Last;
   bool HasLast = false;
@@ -56,19 +59,23 @@ std::string vtkFourierOpacityPainter::Check(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-vtkFourierOpacityPainter::View& vtkFourierOpacityPainter::GetView(vtkRenderer* renderer)
+vtkFourierOpacityPainter::View& vtkFourierOpacityPainter::GetView(
+  vtkRenderer* renderer, vtkActor* actor)
 {
   this->LastView = nullptr;
-  this->Views.remove_if([](const std::unique_ptr<View>& view) { return !view->Renderer; });
+  this->Views.remove_if([](const std::unique_ptr<View>& view)
+    { return !view->Renderer || (view->IsOfActor && !view->Actor); });
   for (const std::unique_ptr<View>& view : this->Views)
   {
-    if (view->Renderer == renderer)
+    if (view->Renderer == renderer && view->Actor == actor)
     {
       return *view;
     }
   }
   this->Views.push_back(std::make_unique<View>());
   this->Views.back()->Renderer = renderer;
+  this->Views.back()->Actor = actor;
+  this->Views.back()->IsOfActor = actor != nullptr;
   return *this->Views.back();
 }
 
@@ -194,13 +201,15 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
     actors.push_back(item.Actor);
   }
   now.Set(renderer, actors);
-  View& view = this->GetView(renderer);
+  View& view = this->GetView(renderer, destination == Picture ? items.front().Actor : nullptr);
   this->LastView = &view;
   this->LastItems = items;
   std::vector<vtkFourierOpacityGroup> groups;
   for (const Item& item : items)
   {
     groups.push_back(item.Mapper->UpdateElements());
+    // Actors of one mapper fade each for itself.
+    groups.back().Owner = item.Actor;
   }
   view.Elements.SetGroups(groups);
   vtkFourierOpacityFrame frame(renderer, items, optimization, drawItem, now, view.Elements);
