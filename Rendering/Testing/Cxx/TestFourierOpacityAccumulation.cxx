@@ -7,6 +7,7 @@
 // with a transition time it begins when opacities rest.
 
 #include "FourierOpacityPassTesting.h"
+#include "vtkAssembly.h"
 #include "vtkLight.h"
 #include "vtkPlane.h"
 
@@ -209,6 +210,50 @@ void CheckChanges(Checks& check, bool isPass)
   }
 }
 
+// Two actors of one mapper, and one in an assembly: pictures of one do not get into another's mean.
+void CheckActors(Checks& check)
+{
+  OpacityStage stage(32, 32);
+  stage.Mapper->SetInputData(MakeStack({ { 0.0, 0.0, 0.0, 0.3, { 250, 120, 30, 255 } } }));
+  stage.Actor->SetPosition(-0.5, 0.0, 0.0);
+  auto other = stage.Add(stage.Mapper);
+  other->GetProperty()->LightingOff();
+  other->SetPosition(0.5, 0.0, 0.0);
+  stage.Stage::Render();
+  stage.GetOptimization()->SetAccumulationFrames(3);
+  for (int i = 1; i < 6; ++i)
+  {
+    const Picture picture = stage.Stage::Render();
+    check(stage.Mapper->GetNumberOfAccumulatedPictures() == std::min(i, 3),
+      "shared mapper: number of pictures " +
+        std::to_string(stage.Mapper->GetNumberOfAccumulatedPictures()));
+    for (int x : { 8, 24 })
+    {
+      CheckColor(check, "mean of a shared mapper", picture.At(x, 16), { 250, 120, 30 }, 1.0);
+    }
+  }
+
+  OpacityStage parts(32, 32);
+  vtkNew<vtkAssembly> assembly;
+  auto data = MakeStack({ { 0.0, 0.0, 0.0, 0.3, { 250, 120, 30, 255 } } });
+  parts.Mapper->SetInputData(data);
+  assembly->AddPart(parts.Actor);
+  parts.Renderer->RemoveActor(parts.Actor);
+  parts.Renderer->AddActor(assembly);
+  parts.Stage::Render();
+  parts.GetOptimization()->SetAccumulationFrames(3);
+  for (int i = 0; i < 3; ++i)
+  {
+    CheckColor(
+      check, "part of an assembly", parts.Stage::Render().At(16, 16), { 250, 120, 30 }, 1.0);
+  }
+  data->GetCellData()->GetScalars()->Fill(255.0);
+  data->GetCellData()->GetScalars()->Modified();
+  data->Modified();
+  CheckColor(check, "changed data of a part of an assembly", parts.Stage::Render().At(16, 16),
+    { 255, 255, 255 }, 1.0);
+}
+
 // Lights change what is lit; halos have the colour of the background.
 void CheckLights(Checks& check, bool isPass)
 {
@@ -297,6 +342,7 @@ int TestFourierOpacityAccumulation(int, char*[])
     CheckConvergence(check, std::string("mapper, ") + MethodNames[blending], false, blending);
   }
   CheckConvergence(check, "pass", true, Optimization::Fourier);
+  CheckActors(check);
   for (bool isPass : { false, true })
   {
     CheckChanges(check, isPass);

@@ -264,6 +264,13 @@ void CheckSharedMapper(Checks& check)
     CheckColor(check, "shared mapper, faded", picture.At(8, 16), { faint, faint, faint }, 1.5);
     CheckColor(check, "shared mapper, opaque", picture.At(24, 16), { 255, 255, 255 }, 1.0);
   }
+  // What the one has does not become the other's when it goes.
+  stage.GetOptimization()->SetTransitionTime(60.0);
+  stage.Renderer->RemoveActor(left);
+  CheckColor(
+    check, "shared mapper, one is left", stage.Render().At(24, 16), { 255, 255, 255 }, 1.0);
+  stage.GetOptimization()->SetTransitionTime(0.0);
+  stage.Renderer->AddActor(left);
   // Both before each other, half transparent.
   black->VisibilityOff();
   const Square square{ 0.0, 0.0, 0.0, 0.3, { 200, 100, 50, 128 } };
