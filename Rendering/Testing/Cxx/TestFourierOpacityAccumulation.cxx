@@ -144,6 +144,8 @@ struct Change
 
 const Change Changes[] = {
   { "camera", [](Accumulated& s) { s.Scene->Renderer->GetActiveCamera()->Azimuth(5.0); } },
+  // Headlights stay where they are.
+  { "roll", [](Accumulated& s) { s.Scene->Renderer->GetActiveCamera()->Roll(5.0); } },
   { "zoom", [](Accumulated& s) { s.Scene->Renderer->GetActiveCamera()->Zoom(1.05); } },
   { "opacity", [](Accumulated& s) { s.Actor->GetProperty()->SetOpacity(0.7); } },
   { "lighting", [](Accumulated& s) { s.Actor->GetProperty()->LightingOn(); } },
