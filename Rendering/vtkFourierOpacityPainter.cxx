@@ -90,6 +90,10 @@ void vtkFourierOpacityPainter::PrepareView(View& view, vtkFourierOpacityFrame& f
     frame.Blend = vtkOpacitySmoothing::GetBlend(seconds, transition);
   }
   const int largest = frame.Optimization->GetAccumulationFrames();
+  if (view.Last.Size[0] != frame.Now.Size[0] || view.Last.Size[1] != frame.Now.Size[1])
+  {
+    view.Accumulator.Forget();
+  }
   if (largest > 1)
   {
     frame.Number = view.Accumulator.Begin(view.Renderer, frame.Optimization, largest);
@@ -201,6 +205,11 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
     actors.push_back(item.Actor);
   }
   now.Set(renderer, actors);
+  // A pass may draw to textures that are larger than the renderer.
+  int viewport[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  now.Size[0] = viewport[2];
+  now.Size[1] = viewport[3];
   View& view = this->GetView(renderer, destination == Picture ? items.front().Actor : nullptr);
   this->LastView = &view;
   this->LastItems = items;
@@ -222,8 +231,6 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
   }
 
   const vtkLineSetsScopedState::SavedState saved(frame.State);
-  int viewport[4];
-  frame.State->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   frame.Origin[0] = destination == Picture ? 0 : viewport[0];
   frame.Origin[1] = destination == Picture ? 0 : viewport[1];
   int tiledOrigin[2];
