@@ -27,7 +27,7 @@ struct Accumulated
   vtkSmartPointer<vtkFourierOpacityPass> Pass;
   vtkSmartPointer<vtkActor> Actor;
 
-  Accumulated(bool isPass, int frames, int size = SceneSize)
+  Accumulated(bool isPass, int frames, int size = 40)
   {
     if (isPass)
     {
@@ -102,7 +102,7 @@ void CheckConvergence(Checks& check, const std::string& name, bool isPass, int b
   check(plain.GetNumber() == 1, name + ": one picture");
   check(plain.Render().Bytes == once.Bytes, name + ": without accumulation nothing changes");
 
-  Accumulated large(isPass, 1, 4 * SceneSize);
+  Accumulated large(isPass, 1, 160);
   large.GetOptimization()->SetBlending(blending);
   large.GetOptimization()->SetImportanceToExact();
   const Picture samples = large.Render();
@@ -182,7 +182,7 @@ const Change Changes[] = {
       s.Mapper->AddClippingPlane(plane);
     } },
   { "another actor", [](Accumulated& s) { s.Scene->AddSphere(0.2, 0.1, 0.3, 0.3); } },
-  { "size", [](Accumulated& s) { s.Scene->Window->SetSize(70, 50); } },
+  { "size", [](Accumulated& s) { s.Scene->Window->SetSize(50, 36); } },
 };
 
 void CheckChanges(Checks& check, bool isPass)
