@@ -431,8 +431,7 @@ void vtkFourierOpacityMapper::UpdateShaders(
       (this->Internals->Vertices.GetElements() ? 8 : 0);
     key = stage->Key ^ (details << 56);
   }
-  this->Internals->Programs.Use(
-    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), cellBO, key);
+  this->Internals->Programs.Use(cellBO, key);
   this->Superclass::UpdateShaders(cellBO, renderer, actor);
 }
 

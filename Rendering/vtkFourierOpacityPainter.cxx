@@ -25,6 +25,9 @@
 struct vtkFourierOpacityPainter::View
 {
   vtkWeakPointer<vtkRenderer> Renderer;
+  /// Where a mapper draws by itself: several actors may have it.
+  vtkWeakPointer<vtkActor> Actor;
+  bool IsOfActor = false;
   vtkFourierOpacityElements Elements;
   std::vector<Item> Items; ///< of the last picture; compared, never followed
   vtkFourierOpacityView Last;
@@ -57,18 +60,22 @@ std::string vtkFourierOpacityPainter::Check(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-vtkFourierOpacityPainter::View& vtkFourierOpacityPainter::GetView(vtkRenderer* renderer)
+vtkFourierOpacityPainter::View& vtkFourierOpacityPainter::GetView(
+  vtkRenderer* renderer, vtkActor* actor)
 {
-  this->Views.remove_if([](const std::unique_ptr<View>& view) { return !view->Renderer; });
+  this->Views.remove_if([](const std::unique_ptr<View>& view)
+    { return !view->Renderer || (view->IsOfActor && !view->Actor); });
   for (const std::unique_ptr<View>& view : this->Views)
   {
-    if (view->Renderer == renderer)
+    if (view->Renderer == renderer && view->Actor == actor)
     {
       return *view;
     }
   }
   this->Views.push_back(std::make_unique<View>());
   this->Views.back()->Renderer = renderer;
+  this->Views.back()->Actor = actor;
+  this->Views.back()->IsOfActor = actor != nullptr;
   return *this->Views.back();
 }
 
@@ -83,6 +90,10 @@ void vtkFourierOpacityPainter::PrepareView(View& view, vtkFourierOpacityFrame& f
     frame.Blend = vtkOpacitySmoothing::GetBlend(seconds, transition);
   }
   const int largest = frame.Optimization->GetAccumulationFrames();
+  if (view.Last.Size[0] != frame.Now.Size[0] || view.Last.Size[1] != frame.Now.Size[1])
+  {
+    view.Accumulator.Forget();
+  }
   if (largest > 1)
   {
     frame.Number = view.Accumulator.Begin(view.Renderer, frame.Optimization, largest);
@@ -195,12 +206,19 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
     actors.push_back(item.Actor);
   }
   now.Set(renderer, actors);
-  View& view = this->GetView(renderer);
+  // A pass may draw to textures that are larger than the renderer.
+  int viewport[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  now.Size[0] = viewport[2];
+  now.Size[1] = viewport[3];
+  View& view = this->GetView(renderer, destination == Picture ? items.front().Actor : nullptr);
   view.Items = items;
   std::vector<vtkFourierOpacityGroup> groups;
   for (const Item& item : items)
   {
     groups.push_back(item.Mapper->UpdateElements());
+    // Actors of one mapper fade each for itself.
+    groups.back().Owner = item.Actor;
   }
   view.Elements.SetGroups(groups);
   vtkFourierOpacityFrame frame(renderer, items, optimization, drawItem, now, view.Elements);
@@ -213,8 +231,6 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
   }
 
   const vtkLineSetsScopedState::SavedState saved(frame.State);
-  int viewport[4];
-  frame.State->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   frame.Origin[0] = destination == Picture ? 0 : viewport[0];
   frame.Origin[1] = destination == Picture ? 0 : viewport[1];
   int tiledOrigin[2];
@@ -250,18 +266,25 @@ bool vtkFourierOpacityPainter::BeginSelection(vtkRenderer* renderer, const Item&
   const vtkFourierOpacityGroup& elements, vtkFourierOpacityStage& stage)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const auto isItem = [&item](const Item& last)
+  { return last.Actor == item.Actor && last.Mapper == item.Mapper; };
   const auto view = std::find_if(this->Views.begin(), this->Views.end(),
-    [renderer](const std::unique_ptr<View>& known) { return known->Renderer == renderer; });
+    [&](const std::unique_ptr<View>& known)
+    {
+      return known->Renderer == renderer &&
+        std::any_of(known->Items.begin(), known->Items.end(), isItem);
+    });
   if (view == this->Views.end() || !window || window != this->Window.GetPointer())
   {
     return false;
   }
   const std::vector<Item>& items = (*view)->Items;
-  const auto found = std::find_if(items.begin(), items.end(),
-    [&item](const Item& last) { return last.Actor == item.Actor && last.Mapper == item.Mapper; });
-  const auto place = static_cast<std::size_t>(found - items.begin());
+  const auto place =
+    static_cast<std::size_t>(std::find_if(items.begin(), items.end(), isItem) - items.begin());
+  vtkFourierOpacityGroup group = elements;
+  group.Owner = item.Actor;
   // Elements of another input have no opacities yet.
-  if (found == items.end() || !(*view)->Elements.IsGroup(place, elements) ||
+  if (!(*view)->Elements.IsGroup(place, group) ||
     !this->Steps.UploadOpacities(window, (*view)->Elements).empty())
   {
     return false;

@@ -99,7 +99,7 @@ private:
   struct View;
 
   std::string Check(vtkOpenGLRenderWindow* window);
-  View& GetView(vtkRenderer* renderer);
+  View& GetView(vtkRenderer* renderer, vtkActor* actor);
   void PrepareView(View& view, vtkFourierOpacityFrame& frame);
   std::string Accumulate(View& view, vtkFourierOpacityFrame& frame);
   std::string Show(View& view, vtkFourierOpacityFrame& frame);

@@ -6,19 +6,15 @@
  *
  * A mapper of VTK has one program per kind of primitive, and makes its text anew when another one
  * is needed, which takes about a tenth of a millisecond. A mapper that is drawn stage after stage
- * in every frame keeps them: Use() puts the program of a stage, with its vertex array and times, in
- * the place of the last one, so that VTK goes on with it as if there were no other.
+ * in every frame keeps them: Use() puts the program of a stage in the place of the last one, so
+ * that VTK goes on with it as if there were no other.
  */
 
 #ifndef vtkFourierOpacityPrograms_h
 #define vtkFourierOpacityPrograms_h
 
 #include "vtkOpenGLHelper.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLVertexArrayObject.h"
-#include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
-#include "vtkWeakPointer.h"
 
 #include <cstddef>
 #include <map>
@@ -29,15 +25,14 @@ class vtkFourierOpacityPrograms
 {
 public:
   vtkFourierOpacityPrograms() = default;
-  ~vtkFourierOpacityPrograms();
 
-  /// Put the program of a key in place; there may be none yet. The window's context is current.
-  void Use(vtkOpenGLRenderWindow* window, vtkOpenGLHelper& primitives, std::size_t key);
+  /// Put the program of a key in place; there may be none yet.
+  void Use(vtkOpenGLHelper& primitives, std::size_t key);
 
   /// Forget the programs of all other keys of the primitives: what they were made for has changed.
   void ForgetOthers(vtkOpenGLHelper& primitives);
 
-  /// Forget all, in the current context; the primitives release what is in place.
+  /// Forget all.
   void Clear() { this->Primitives.clear(); }
 
 private:
@@ -48,8 +43,6 @@ private:
   {
     vtkShaderProgram* Program = nullptr;
     vtkTimeStamp ShaderSourceTime;
-    vtkTimeStamp AttributeUpdateTime;
-    vtkSmartPointer<vtkOpenGLVertexArrayObject> Vertices;
   };
   struct Programs
   {
@@ -57,8 +50,6 @@ private:
     std::map<std::size_t, Entry> Entries;
   };
   std::map<const vtkOpenGLHelper*, Programs> Primitives;
-  // In whose context the vertex arrays are.
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
 };
 
 #endif

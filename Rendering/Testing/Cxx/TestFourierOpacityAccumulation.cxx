@@ -7,6 +7,7 @@
 // with a transition time it begins when opacities rest.
 
 #include "FourierOpacityPassTesting.h"
+#include "vtkAssembly.h"
 #include "vtkLight.h"
 #include "vtkPlane.h"
 
@@ -26,7 +27,7 @@ struct Accumulated
   vtkSmartPointer<vtkFourierOpacityPass> Pass;
   vtkSmartPointer<vtkActor> Actor;
 
-  Accumulated(bool isPass, int frames, int size = SceneSize)
+  Accumulated(bool isPass, int frames, int size = 40)
   {
     if (isPass)
     {
@@ -101,7 +102,7 @@ void CheckConvergence(Checks& check, const std::string& name, bool isPass, int b
   check(plain.GetNumber() == 1, name + ": one picture");
   check(plain.Render().Bytes == once.Bytes, name + ": without accumulation nothing changes");
 
-  Accumulated large(isPass, 1, 4 * SceneSize);
+  Accumulated large(isPass, 1, 160);
   large.GetOptimization()->SetBlending(blending);
   large.GetOptimization()->SetImportanceToExact();
   const Picture samples = large.Render();
@@ -143,6 +144,8 @@ struct Change
 
 const Change Changes[] = {
   { "camera", [](Accumulated& s) { s.Scene->Renderer->GetActiveCamera()->Azimuth(5.0); } },
+  // Headlights stay where they are.
+  { "roll", [](Accumulated& s) { s.Scene->Renderer->GetActiveCamera()->Roll(5.0); } },
   { "zoom", [](Accumulated& s) { s.Scene->Renderer->GetActiveCamera()->Zoom(1.05); } },
   { "opacity", [](Accumulated& s) { s.Actor->GetProperty()->SetOpacity(0.7); } },
   { "lighting", [](Accumulated& s) { s.Actor->GetProperty()->LightingOn(); } },
@@ -179,7 +182,7 @@ const Change Changes[] = {
       s.Mapper->AddClippingPlane(plane);
     } },
   { "another actor", [](Accumulated& s) { s.Scene->AddSphere(0.2, 0.1, 0.3, 0.3); } },
-  { "size", [](Accumulated& s) { s.Scene->Window->SetSize(70, 50); } },
+  { "size", [](Accumulated& s) { s.Scene->Window->SetSize(50, 36); } },
 };
 
 void CheckChanges(Checks& check, bool isPass)
@@ -207,6 +210,50 @@ void CheckChanges(Checks& check, bool isPass)
     scene.Actor->VisibilityOn();
     plain.Actor->VisibilityOn();
   }
+}
+
+// Two actors of one mapper, and one in an assembly: pictures of one do not get into another's mean.
+void CheckActors(Checks& check)
+{
+  OpacityStage stage(32, 32);
+  stage.Mapper->SetInputData(MakeStack({ { 0.0, 0.0, 0.0, 0.3, { 250, 120, 30, 255 } } }));
+  stage.Actor->SetPosition(-0.5, 0.0, 0.0);
+  auto other = stage.Add(stage.Mapper);
+  other->GetProperty()->LightingOff();
+  other->SetPosition(0.5, 0.0, 0.0);
+  stage.Stage::Render();
+  stage.GetOptimization()->SetAccumulationFrames(3);
+  for (int i = 1; i < 6; ++i)
+  {
+    const Picture picture = stage.Stage::Render();
+    check(stage.Mapper->GetNumberOfAccumulatedPictures() == std::min(i, 3),
+      "shared mapper: number of pictures " +
+        std::to_string(stage.Mapper->GetNumberOfAccumulatedPictures()));
+    for (int x : { 8, 24 })
+    {
+      CheckColor(check, "mean of a shared mapper", picture.At(x, 16), { 250, 120, 30 }, 1.0);
+    }
+  }
+
+  OpacityStage parts(32, 32);
+  vtkNew<vtkAssembly> assembly;
+  auto data = MakeStack({ { 0.0, 0.0, 0.0, 0.3, { 250, 120, 30, 255 } } });
+  parts.Mapper->SetInputData(data);
+  assembly->AddPart(parts.Actor);
+  parts.Renderer->RemoveActor(parts.Actor);
+  parts.Renderer->AddActor(assembly);
+  parts.Stage::Render();
+  parts.GetOptimization()->SetAccumulationFrames(3);
+  for (int i = 0; i < 3; ++i)
+  {
+    CheckColor(
+      check, "part of an assembly", parts.Stage::Render().At(16, 16), { 250, 120, 30 }, 1.0);
+  }
+  data->GetCellData()->GetScalars()->Fill(255.0);
+  data->GetCellData()->GetScalars()->Modified();
+  data->Modified();
+  CheckColor(check, "changed data of a part of an assembly", parts.Stage::Render().At(16, 16),
+    { 255, 255, 255 }, 1.0);
 }
 
 // Lights change what is lit; halos have the colour of the background.
@@ -297,6 +344,7 @@ int TestFourierOpacityAccumulation(int, char*[])
     CheckConvergence(check, std::string("mapper, ") + MethodNames[blending], false, blending);
   }
   CheckConvergence(check, "pass", true, Optimization::Fourier);
+  CheckActors(check);
   for (bool isPass : { false, true })
   {
     CheckChanges(check, isPass);

@@ -262,6 +262,31 @@ void CheckCoverage(Checks& check)
   }
 }
 
+// Two actors of one mapper: white before something important, and the other way round.
+void CheckSharedMapper(Checks& check)
+{
+  OpacityStage stage(32, 32);
+  stage.Renderer->SetBackground(0.0, 0.0, 0.0);
+  stage.Mapper->SetInputData(MakeStack(
+    { { 0.0, 0.0, 0.4, 0.3, { 255, 255, 255, 255 } }, { 0.2, 0.0, -0.4, 0.1, { 0, 0, 0, 255 } } },
+    { 0.0, 1.0 }));
+  stage.Mapper->SetNumberOfPatches(1);
+  stage.Actor->SetPosition(-0.5, 0.0, 0.0);
+  auto other = stage.Add(stage.Mapper);
+  other->GetProperty()->LightingOff();
+  other->RotateY(180.0);
+  other->SetPosition(0.5, 0.0, 0.0);
+  stage.GetOptimization()->SetBackgroundWeight(0.0);
+  stage.GetOptimization()->SetImportanceToExact();
+  stage.GetOptimization()->SetTransitionTime(60.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    const Picture picture = stage.Stage::Render();
+    check(picture.At(6, 16)[0] < 10, "an actor of a shared mapper fades");
+    check(picture.At(26, 16)[0] > 250, "another actor of the mapper does not");
+  }
+}
+
 // A scene of surfaces looks nearly the same.
 void CheckReduced(Checks& check)
 {
@@ -290,6 +315,7 @@ int TestFourierOpacityMapper(int, char*[])
   CheckBuffers(check);
   CheckBytes(check);
   CheckCoverage(check);
+  CheckSharedMapper(check);
   CheckReduced(check);
   check(messages->IsQuiet(), "no errors and no warnings");
   return check.GetResult();

@@ -8,7 +8,9 @@
 // actors; other translucent props.
 
 #include "FourierOpacityPassTesting.h"
+#include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
+#include "vtkTexture.h"
 #include "vtkTransform.h"
 
 using namespace FourierOpacityTesting;
@@ -246,6 +248,41 @@ void CheckMatrices(Checks& check)
   }
 }
 
+// Textures and culling are those of each actor.
+void CheckProperties(Checks& check)
+{
+  PassStage stage(32, 32);
+  auto data = MakeStack({ { 0.0, 0.0, 0.0, 0.5, { 255, 255, 255, 255 } } });
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  for (const auto& corner :
+    { std::array<double, 2>{ 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } })
+  {
+    coordinates->InsertNextTuple(corner.data());
+  }
+  data->GetPointData()->SetTCoords(coordinates);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int i = 0; i < 4; ++i)
+  {
+    const double color[3] = { 200.0, 100.0, 50.0 };
+    image->GetPointData()->GetScalars()->SetTuple(i, color);
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  auto actor = stage.AddItem(data);
+  actor->SetTexture(texture);
+  CheckColor(check, "texture", stage.Render().At(16, 16), { 200, 100, 50 }, 1.0);
+  actor->SetTexture(nullptr);
+  CheckColor(check, "no texture", stage.Render().At(16, 16), { 255, 255, 255 }, 1.0);
+  actor->GetProperty()->FrontfaceCullingOn();
+  check(stage.Render().At(16, 16) == Background, "front faces are culled");
+  actor->GetProperty()->FrontfaceCullingOff();
+  actor->GetProperty()->BackfaceCullingOn();
+  CheckColor(check, "back faces are culled", stage.Render().At(16, 16), { 255, 255, 255 }, 1.0);
+}
+
 // Two actors of one mapper: of the left one lies something important behind.
 void CheckSharedMapper(Checks& check)
 {
@@ -264,6 +301,13 @@ void CheckSharedMapper(Checks& check)
     CheckColor(check, "shared mapper, faded", picture.At(8, 16), { faint, faint, faint }, 1.5);
     CheckColor(check, "shared mapper, opaque", picture.At(24, 16), { 255, 255, 255 }, 1.0);
   }
+  // What the one has does not become the other's when it goes.
+  stage.GetOptimization()->SetTransitionTime(60.0);
+  stage.Renderer->RemoveActor(left);
+  CheckColor(
+    check, "shared mapper, one is left", stage.Render().At(24, 16), { 255, 255, 255 }, 1.0);
+  stage.GetOptimization()->SetTransitionTime(0.0);
+  stage.Renderer->AddActor(left);
   // Both before each other, half transparent.
   black->VisibilityOff();
   const Square square{ 0.0, 0.0, 0.0, 0.3, { 200, 100, 50, 128 } };
@@ -325,7 +369,7 @@ void CheckOthers(Checks& check, Messages* messages)
   {
     CheckColor(check, "another prop", stage.Render().At(16, 16), expected, 1.6);
   }
-  check(messages->TakeWarnings("1 translucent props have no vtkFourierOpacityMapper: they are "
+  check(messages->TakeWarnings("1 translucent props are no actors with a vtkFourierOpacityMapper: they are "
                                "drawn over") == 1,
     "other props are told once");
   check(stage.Pass->GetNumberOfRenderedProps() == 2, "number of props");
@@ -337,7 +381,7 @@ void CheckOthers(Checks& check, Messages* messages)
   stage.AddItem(MakeMapper({ other }));
   stage.Render();
   stage.Render();
-  check(messages->TakeWarnings("2 translucent props have no vtkFourierOpacityMapper: they are not "
+  check(messages->TakeWarnings("2 translucent props are no actors with a vtkFourierOpacityMapper: they are not "
                                "drawn") == 1,
     "what is not drawn is told once");
   // By themselves they are drawn as ever, and nothing is to be told.
@@ -398,6 +442,7 @@ int TestFourierOpacityPass(int, char*[])
   CheckTogether(check);
   CheckBlending(check);
   CheckMatrices(check);
+  CheckProperties(check);
   CheckSharedMapper(check);
   CheckComingAndGoing(check);
   CheckOthers(check, messages);

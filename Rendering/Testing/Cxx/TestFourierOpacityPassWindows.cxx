@@ -10,6 +10,7 @@
 #include "GLStateTesting.h"
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
+#include "vtkSSAAPass.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 
@@ -183,6 +184,40 @@ void CheckSamples(Checks& check, const Method& method)
   }
 }
 
+// Within a pass of samples the picture is larger than the window.
+void CheckSuperSampling(Checks& check, const Method& method)
+{
+  PassScene scene(method);
+  const Picture expected = scene.Render();
+  vtkNew<vtkRenderStepsPass> steps;
+  steps->SetTranslucentPass(scene.Pass);
+  vtkNew<vtkSSAAPass> samples;
+  samples->SetDelegatePass(steps);
+  vtkOpenGLRenderer::SafeDownCast(scene.Renderer)->SetPass(samples);
+  const Difference difference = Compare(scene.Render(), expected);
+  check(difference.Part < 0.15 && difference.Rms < 8.0,
+    GetName(method) + ", a pass of samples" + VoxelLineMapperTesting::Describe(difference));
+
+  // The mapper by itself, and a mean that begins anew where the number of pixels changes.
+  Scene alone(method);
+  alone.GetOptimization()->SetAccumulationFrames(4);
+  alone.Render();
+  alone.Render();
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(alone.Renderer);
+  vtkNew<vtkRenderStepsPass> plain;
+  plain->SetTranslucentPass(vtkNew<vtkTranslucentPass>());
+  vtkNew<vtkSSAAPass> other;
+  other->SetDelegatePass(plain);
+  renderer->SetPass(other);
+  for (int i = 0; i < 2; ++i)
+  {
+    const Difference own = Compare(alone.Render(), expected);
+    check(own.Part < 0.15 && own.Rms < 8.0,
+      GetName(method) + ", the mapper in a pass of samples" +
+        VoxelLineMapperTesting::Describe(own));
+  }
+}
+
 void CheckEmpty(Checks& check)
 {
   PassStage stage;
@@ -269,6 +304,8 @@ int TestFourierOpacityPassWindows(int, char*[])
     CheckWindows(check, method);
   }
   CheckSamples(check, Methods[0]);
+  CheckSuperSampling(check, Methods[0]);
+  CheckSuperSampling(check, Methods[3]);
   CheckSizes(check);
   CheckEmpty(check);
   CheckSelection(check);
