@@ -33,9 +33,9 @@ inline std::vector<int> GetGLState()
     state.push_back(glIsEnabled(test));
   }
   for (GLenum name : { GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA, GL_BLEND_DST_ALPHA,
-         GL_BLEND_EQUATION_RGB, GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_DRAW_FRAMEBUFFER_BINDING,
-         GL_READ_FRAMEBUFFER_BINDING, GL_DRAW_BUFFER, GL_READ_BUFFER, GL_VERTEX_ARRAY_BINDING,
-         GL_SCISSOR_BOX, GL_VIEWPORT, GL_COLOR_WRITEMASK })
+         GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA, GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK,
+         GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING, GL_DRAW_BUFFER, GL_READ_BUFFER,
+         GL_VERTEX_ARRAY_BINDING, GL_SCISSOR_BOX, GL_VIEWPORT, GL_COLOR_WRITEMASK })
   {
     int values[4] = { 0, 0, 0, 0 };
     glGetIntegerv(name, values);
@@ -81,6 +81,8 @@ public:
       state->vtkglDisable(GL_SCISSOR_TEST);
     }
     state->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
+    // Depth peeling draws with a maximum.
+    state->vtkglBlendEquationSeparate(GL_MAX, GL_MIN);
     state->vtkglDepthFunc(GL_LESS);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_FALSE, GL_TRUE);
     if (this->HasCulling)
@@ -108,6 +110,7 @@ public:
         std::cerr << "state " << i << ": " << before[i] << " became " << after[i] << std::endl;
       }
     }
+    state->vtkglBlendEquation(GL_FUNC_ADD);
     glBindImageTexture(1, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32F);
     glDeleteTextures(1, &texture);
   }

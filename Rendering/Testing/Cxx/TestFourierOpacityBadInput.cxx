@@ -6,6 +6,7 @@
 // picture, and setters refuse what is out of range and name the range.
 
 #include "FourierOpacityTesting.h"
+#include "vtkFourierOpacityVertices.h"
 #include "vtkIntArray.h"
 #include "vtkOpacitySegments.h"
 #include "vtkStringArray.h"
@@ -162,6 +163,36 @@ void CheckSegments(Checks& check, Messages* messages)
   filter->SetInputData(good.Data);
   good.Mapper->SetInputConnection(filter->GetOutputPort());
   CheckOpaque(check, "ids of the filter", good, messages, "");
+
+  // Ids that single precision cannot tell apart are told once, and each point is an element.
+  for (int id : { vtkOpacitySegments::LargestNumberOfSegments - 1,
+         int{ vtkOpacitySegments::LargestNumberOfSegments }, 1 << 24, 2147483647 })
+  {
+    const bool isGood = id < vtkOpacitySegments::LargestNumberOfSegments;
+    Scene large;
+    large.GetOptimization()->SetForegroundWeight(0.0);
+    filter->SetInputData(large.Data);
+    filter->Update();
+    large.Data->ShallowCopy(filter->GetOutput());
+    large.Data->GetPointData()->AddArray(MakeArray(1, { 0, 0, 0, 0, 0, 0, 0, 1e-4 }));
+    large.Data->GetPointData()->GetArray(vtkOpacitySegments::GetIdsName())->SetComponent(5, 2, id);
+    const std::string name = "id " + std::to_string(id);
+    vtkFourierOpacityVertices vertices;
+    vtkFourierOpacityVertices::Settings settings;
+    settings.ArrayName = "Importance";
+    vertices.Update(large.Data, settings);
+    check(vertices.GetWarnings().size() == (isGood ? 0 : 1), name + ": number of warnings");
+    check((vertices.GetElements() != nullptr) == isGood &&
+        vertices.GetNumberOfElements() == (isGood ? id + 1 : 8),
+      name + ": each point is an element where ids are not good");
+    if (!isGood)
+    {
+      CheckOpaque(check, name, large, messages, "has the id " + std::to_string(id));
+      // Neither by another range.
+      large.Mapper->SetImportanceRange(0.0, 2e-4);
+      CheckOpaque(check, name + ", another range", large, messages, "");
+    }
+  }
 }
 
 void CheckEmpty(Checks& check, Messages* messages)

@@ -4,7 +4,7 @@
 // Guards that optimized opacity is steady over frames: small steps of the camera change the picture
 // little more than with exact sums, segments out of the view keep their opacity, and with a
 // transition time opacities follow by the time that passes and not by the number of pictures, but
-// at once where the view jumps or has another size.
+// at once where the view jumps or has another size, or there are other points.
 
 #include "FourierOpacityScene.h"
 #include "vtkFourierOpacityElements.h"
@@ -182,6 +182,31 @@ void CheckTransition(Checks& check)
   CheckSame(check, "after the transition time", scene.Render(), other.Render(), 1);
 }
 
+// Opacities follow importance as they follow the view, by its range and by its values; other points
+// have opacities at once.
+void CheckImportanceChanges(Checks& check)
+{
+  const std::vector<Square> squares = { { 0.0, 0.0, 0.5, 0.5, { 255, 255, 255, 255 } },
+    { 0.0, 0.0, -0.5, 0.5, { 0, 0, 0, 255 } } };
+  OpacityStage stage;
+  auto data = MakeStack(squares, { 0.0, 0.5 });
+  stage.GetOptimization()->SetTransitionTime(60.0);
+  const auto getGrey = [&] { return stage.Render(data).At(16, 16)[0]; };
+  const int opaque = 255;
+  stage.Mapper->SetImportanceRange(0.0, 1e6);
+  check(getGrey() == opaque, "nothing is important");
+  stage.Mapper->SetImportanceRange(0.0, 0.5);
+  check(getGrey() > 200, "no jump by another range: grey " + std::to_string(getGrey()));
+  stage.GetOptimization()->SetTransitionTime(0.0);
+  check(getGrey() < 10, "the range counts");
+  stage.GetOptimization()->SetTransitionTime(60.0);
+  data->GetCellData()->GetArray("Importance")->SetComponent(1, 0, 0.0);
+  data->GetCellData()->GetArray("Importance")->Modified();
+  check(getGrey() < 60, "no jump by another value: grey " + std::to_string(getGrey()));
+  data->GetPoints()->Modified();
+  check(getGrey() == opaque, "at once with other points: grey " + std::to_string(getGrey()));
+}
+
 // A white line whose left part lies before something important.
 void CheckLeaving(Checks& check)
 {
@@ -288,6 +313,7 @@ int TestFourierOpacityCoherence(int, char*[])
   CheckElements(check);
   CheckJumps(check);
   CheckTransition(check);
+  CheckImportanceChanges(check);
   CheckLeaving(check);
   CheckPath(check);
   check(messages->IsQuiet(), "no errors and no warnings");

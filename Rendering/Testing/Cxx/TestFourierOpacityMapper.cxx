@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Guards vtkFourierOpacityMapper as an object: what it copies and prints; that its modification
-// time follows the optimization, whose changes make no buffers of vertices anew; bytes on the
-// device; and that opacities of surfaces, lines and points of any size are the same for importance
-// that is summed at full and at reduced resolution.
+// time follows the optimization, whose changes make no buffers of vertices anew; that no shaders
+// are made anew while nothing changes, and all of them where they must be; bytes on the device; and
+// that opacities of surfaces, lines and points of any size are the same for importance that is
+// summed at full and at reduced resolution.
 
 #include "FourierOpacityScene.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkObjectFactory.h"
+#include "vtkTexture.h"
 
 using namespace FourierOpacityTesting;
 
@@ -90,15 +95,22 @@ void CheckTime(Checks& check)
   check(mapper->GetOptimization() != nullptr, "there always is an optimization");
 }
 
-/// Counts how often buffers of vertices are made.
+/// Counts how often buffers of vertices, and shaders, are made.
 class CountingMapper : public vtkFourierOpacityMapper
 {
 public:
   static CountingMapper* New();
   vtkTypeMacro(CountingMapper, vtkFourierOpacityMapper);
   int Count = 0;
+  int Shaders = 0;
 
 protected:
+  void ReplaceShaderValues(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override
+  {
+    ++this->Shaders;
+    this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+  }
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override
   {
     ++this->Count;
@@ -138,6 +150,149 @@ void CheckBuffers(Checks& check)
   mapper->SetImportanceRange(0.0, 0.5);
   stage.Render();
   check(mapper->Count > count, "buffers are made for another range of importance");
+}
+
+/// A grid of quads and lines in front of it, with normals and texture coordinates.
+vtkSmartPointer<vtkPolyData> MakeSurfaceAndLines()
+{
+  auto data = MakeScene();
+  data->GetCellData()->Initialize();
+  const vtkIdType quads = data->GetNumberOfPoints();
+  vtkNew<vtkCellArray> lines;
+  for (int i = 0; i < 5; ++i)
+  {
+    const double y = -0.6 + 0.3 * i;
+    lines->InsertNextCell({ data->GetPoints()->InsertNextPoint(-0.8, y, 0.95),
+      data->GetPoints()->InsertNextPoint(0.8, y + 0.1, 0.95) });
+  }
+  data->SetLines(lines);
+  vtkNew<vtkFloatArray> importance;
+  importance->SetName("Importance");
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> places;
+  places->SetName("Places");
+  places->SetNumberOfComponents(2);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(4);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    const double t = static_cast<double>(i % 7) / 6.0;
+    importance->InsertNextValue(static_cast<float>(i < quads ? 0.1 * (i / 4) : 0.0));
+    normals->InsertNextTuple3(0.6 * t, 0.0, std::sqrt(1.0 - 0.36 * t * t));
+    places->InsertNextTuple2(i % 4 == 1 || i % 4 == 2 ? 1.0 : 0.0, i % 4 >= 2 ? 1.0 : 0.0);
+    colors->InsertNextTuple4(255.0 * t, 200.0 - 100.0 * t, 90.0, 120.0 + 130.0 * t);
+  }
+  data->GetPointData()->AddArray(importance);
+  data->GetPointData()->SetNormals(normals);
+  data->GetPointData()->AddArray(places);
+  data->GetPointData()->SetScalars(colors);
+  return data;
+}
+
+struct ShaderStage : Stage
+{
+  vtkNew<CountingMapper> Mapper;
+  vtkSmartPointer<vtkPolyData> Data = MakeSurfaceAndLines();
+  vtkSmartPointer<vtkActor> Actor;
+
+  ShaderStage()
+    : Stage(40, 40)
+  {
+    LookAlongZ(*this);
+    this->Mapper->SetInputData(this->Data);
+    this->Mapper->SetImportanceArrayName("Importance");
+    this->Mapper->SetImportanceRange(0.0, 1.0);
+    this->Actor = this->Add(this->Mapper);
+    this->Actor->GetProperty()->SetLineWidth(3.0);
+    this->Actor->GetProperty()->SetColor(0.9, 0.6, 0.2);
+    this->Actor->GetProperty()->SetOpacity(0.8);
+    this->Renderer->SetAutomaticLightCreation(0);
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(3.0, 1.0, 5.0);
+    this->Renderer->AddLight(light);
+  }
+};
+
+// Changes for which shaders must be made anew, in the order in which they are made.
+const std::pair<const char*, std::function<void(ShaderStage&)>> ShaderChanges[] = {
+  { "no scalars", [](ShaderStage& stage) { stage.Mapper->ScalarVisibilityOff(); } },
+  { "another light",
+    [](ShaderStage& stage)
+    {
+      vtkNew<vtkLight> light;
+      light->SetLightTypeToSceneLight();
+      light->SetPosition(-4.0, 2.0, 1.0);
+      light->SetColor(0.2, 0.9, 0.3);
+      stage.Renderer->AddLight(light);
+    } },
+  { "a light with a cone",
+    [](ShaderStage& stage)
+    {
+      auto* light = vtkLight::SafeDownCast(stage.Renderer->GetLights()->GetItemAsObject(0));
+      light->PositionalOn();
+      light->SetConeAngle(8.0);
+    } },
+  { "flat", [](ShaderStage& stage) { stage.Actor->GetProperty()->SetInterpolationToFlat(); } },
+  { "Gouraud",
+    [](ShaderStage& stage) { stage.Actor->GetProperty()->SetInterpolationToGouraud(); } },
+  { "no normals", [](ShaderStage& stage) { stage.Data->GetPointData()->SetNormals(nullptr); } },
+  { "a texture",
+    [](ShaderStage& stage)
+    {
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(2, 2, 1);
+      image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+      auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
+      for (int i = 0; i < 12; ++i)
+      {
+        bytes[i] = static_cast<unsigned char>(i % 3 == i / 3 ? 255 : 60);
+      }
+      vtkNew<vtkTexture> texture;
+      texture->SetInputData(image);
+      stage.Data->GetPointData()->SetActiveTCoords("Places");
+      stage.Actor->SetTexture(texture);
+    } },
+  { "perspective",
+    [](ShaderStage& stage)
+    {
+      stage.Renderer->GetActiveCamera()->ParallelProjectionOff();
+      stage.Renderer->GetActiveCamera()->SetViewAngle(12.0);
+    } },
+  { "scalars", [](ShaderStage& stage) { stage.Mapper->ScalarVisibilityOn(); } },
+  { "no lighting", [](ShaderStage& stage) { stage.Actor->GetProperty()->LightingOff(); } }
+};
+
+// The shaders of the stages of a picture are kept for the next one; where they must be others, the
+// next picture is that of a mapper that begins anew.
+void CheckShaders(Checks& check, const Method& method, double haloWidth)
+{
+  const std::string name = GetName(method) + (haloWidth > 0.0 ? " with halos, " : ", ");
+  ShaderStage stage;
+  SetMethod(stage.Mapper->GetOptimization(), method);
+  stage.Mapper->GetOptimization()->SetHaloWidth(haloWidth);
+  Picture last = stage.Render();
+  check(stage.Mapper->Shaders > 3, name + "shaders are made");
+  for (std::size_t i = 0; i < std::size(ShaderChanges); ++i)
+  {
+    stage.Render();
+    stage.Mapper->Shaders = 0;
+    stage.Render();
+    stage.Renderer->GetActiveCamera()->Modified();
+    stage.Render();
+    check(stage.Mapper->Shaders == 0,
+      name + std::to_string(stage.Mapper->Shaders) +
+        " shaders are made anew for nothing before \"" + ShaderChanges[i].first + "\"");
+    ShaderChanges[i].second(stage);
+    const Picture picture = stage.Render();
+    stage.Mapper->ReleaseGraphicsResources(stage.Window);
+    CheckSame(check, name + ShaderChanges[i].first, picture, stage.Render());
+    check(Compare(picture, last).Largest > 5, name + ShaderChanges[i].first + ": shows");
+    last = picture;
+  }
 }
 
 void CheckBytes(Checks& check)
@@ -313,6 +468,10 @@ int TestFourierOpacityMapper(int, char*[])
   check(messages->TakeWarnings("ShaderCode was deprecated") >= 0, "no other warnings");
   CheckTime(check);
   CheckBuffers(check);
+  CheckShaders(check, {}, 0.0);
+  CheckShaders(check, {}, 4.0);
+  CheckShaders(check, { Optimization::Bins, Optimization::ExactImportance }, 0.0);
+  CheckShaders(check, { Optimization::FragmentLists, Optimization::ExactImportance }, 4.0);
   CheckBytes(check);
   CheckCoverage(check);
   CheckSharedMapper(check);

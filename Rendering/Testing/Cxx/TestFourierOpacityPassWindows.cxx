@@ -3,8 +3,9 @@
 //
 // Guards vtkFourierOpacityPass against what surrounds it: viewports with a pass each or one for
 // both, windows in turn, closed and opened again, on the screen, of another size, with samples;
-// renderers without actors; OpenGL's state, which is the same afterwards; and hardware selection
-// without the pass, which leaves out what was faint in the pass's last picture.
+// a pass that goes while another window is current, whose buffers stay, or whose window is closed
+// without it; renderers without actors; OpenGL's state, which is the same afterwards; and hardware
+// selection without the pass, which leaves out what was faint in the pass's last picture of a view.
 
 #include "FourierOpacityPassTesting.h"
 #include "GLStateTesting.h"
@@ -144,6 +145,62 @@ void CheckWindows(Checks& check, const Method& method)
   CheckSame(check, name + ", the window after it", next.Render(), expected);
 }
 
+/// Buffers and textures of the current window.
+std::vector<unsigned int> GetGLObjects()
+{
+  std::vector<unsigned int> objects;
+  for (unsigned int i = 1; i < 1000; ++i)
+  {
+    objects.push_back((glIsBuffer(i) ? 1 : 0) + (glIsTexture(i) ? 2 : 0));
+  }
+  return objects;
+}
+
+// Windows do not share buffers: those of the same number are others.
+void CheckContexts(Checks& check, const Method& method)
+{
+  const std::string name = GetName(method);
+  PassScene second(method);
+  const Picture expected = second.Render();
+  {
+    PassScene first(method);
+    auto pass = vtkSmartPointer<vtkFourierOpacityPass>::New();
+    pass->SetOptimization(first.GetOptimization());
+    UsePass(first.Renderer, pass);
+    CheckSame(check, name + ", a pass that will go", first.Render(), expected);
+    first.Renderer->SetPass(nullptr);
+    second.Render();
+    second.Window->MakeCurrent();
+    const std::vector<unsigned int> before = GetGLObjects();
+    pass = nullptr;
+    second.Window->MakeCurrent();
+    check(GetGLObjects() == before, name + ": a pass that goes takes nothing of another window");
+    CheckSame(check, name + ", after the pass of another window", second.Render(), expected);
+    UsePass(first.Renderer, first.Pass);
+    CheckSame(check, name + ", another pass in its window", first.Render(), expected);
+  }
+
+  // The window is closed while it is not drawn by the pass, and lives on.
+  PassScene closed(method);
+  CheckSame(check, name + ", a window that will be closed", closed.Render(), expected);
+  closed.Renderer->SetPass(nullptr);
+  closed.Window->Finalize();
+  second.Window->MakeCurrent();
+  const std::vector<unsigned int> before = GetGLObjects();
+  UsePass(second.Renderer, closed.Pass);
+  for (int i = 0; i < 2; ++i)
+  {
+    CheckSame(check, name + ", the pass of a closed window", second.Render(), expected);
+    check(glGetError() == GL_NO_ERROR, name + ": error of OpenGL after a window was closed");
+  }
+  const std::vector<unsigned int> after = GetGLObjects();
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    check((before[i] & ~after[i]) == 0,
+      name + ": a pass from a closed window deleted object " + std::to_string(i + 1));
+  }
+}
+
 // Textures of another size are drawn to, whatever is attached in between.
 void CheckSizes(Checks& check)
 {
@@ -239,10 +296,10 @@ void CheckEmpty(Checks& check)
   check(GetCoverage(stage.Render(), Background) == 0.0, "hidden beside an actor of nothing");
 }
 
-std::set<const vtkObjectBase*> SelectActors(Stage& stage, int x1, int y1, int x2, int y2)
+std::set<const vtkObjectBase*> SelectActors(vtkRenderer* renderer, int x1, int y1, int x2, int y2)
 {
   vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(stage.Renderer);
+  selector->SetRenderer(renderer);
   selector->SetArea(x1, y1, x2, y2);
   auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
   std::set<const vtkObjectBase*> actors;
@@ -266,17 +323,17 @@ void CheckSelection(Checks& check)
   vtkSmartPointer<vtkRenderPass> pass = renderer->GetPass();
   using Actors = std::set<const vtkObjectBase*>;
   renderer->SetPass(nullptr);
-  check(SelectActors(stage, 8, 14, 11, 17) == Actors{ important.Get() },
+  check(SelectActors(stage.Renderer, 8, 14, 11, 17) == Actors{ important.Get() },
     "what is faint is not selected");
-  check(
-    SelectActors(stage, 22, 14, 26, 17) == Actors{ beside.Get() }, "what is opaque is selected");
-  check(SelectActors(stage, 14, 2, 17, 4).empty(), "nothing is selected of nothing");
+  check(SelectActors(stage.Renderer, 22, 14, 26, 17) == Actors{ beside.Get() },
+    "what is opaque is selected");
+  check(SelectActors(stage.Renderer, 14, 2, 17, 4).empty(), "nothing is selected of nothing");
   renderer->SetPass(pass);
   CheckSame(check, "selection does not disturb the picture", stage.Render(), before);
   stage.GetOptimization()->SetForegroundWeight(0.0);
   stage.Render();
   renderer->SetPass(nullptr);
-  check(SelectActors(stage, 8, 14, 11, 17) == Actors{ front.Get() },
+  check(SelectActors(stage.Renderer, 8, 14, 11, 17) == Actors{ front.Get() },
     "opacities of the pass's last picture count");
   renderer->SetPass(pass);
   // Without its pass, nothing is known of what is faint.
@@ -285,7 +342,46 @@ void CheckSelection(Checks& check)
   UsePass(stage.Renderer, vtkNew<vtkTranslucentPass>());
   stage.Pass->ReleaseGraphicsResources(stage.Window);
   renderer->SetPass(nullptr);
-  check(SelectActors(stage, 8, 14, 11, 17) == Actors{ front.Get() }, "after a release");
+  check(SelectActors(stage.Renderer, 8, 14, 11, 17) == Actors{ front.Get() }, "after a release");
+}
+
+// An important actor between two unimportant ones, seen from either side by one pass.
+void CheckSelectionOfViews(Checks& check)
+{
+  PassStage stage(64, 32);
+  stage.GetOptimization()->SetBackgroundWeight(0.0);
+  const auto add = [&](double z, double importance) {
+    return stage.AddItem(MakeStack({ { 0.0, 0.0, z, 0.4, { 0, 255, 0, 255 } } }, { importance }));
+  };
+  stage.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  vtkNew<vtkRenderer> behind;
+  behind->SetViewport(0.5, 0.0, 1.0, 1.0);
+  vtkNew<vtkCamera> camera;
+  camera->DeepCopy(stage.Renderer->GetActiveCamera());
+  camera->SetPosition(0.0, 0.0, -10.0);
+  behind->SetActiveCamera(camera);
+  const auto front = add(0.5, 0.0);
+  const auto important = add(0.0, 1.0);
+  const auto back = add(-0.5, 0.0);
+  for (vtkActor* actor : { front.Get(), important.Get(), back.Get() })
+  {
+    behind->AddActor(actor);
+  }
+  stage.Window->AddRenderer(behind);
+  UsePass(behind, stage.Pass);
+  const Picture before = stage.Render();
+  const std::set<const vtkObjectBase*> expected{ important.Get() };
+  for (int i = 0; i < 2; ++i)
+  {
+    // The other view is drawn as well, by the pass.
+    vtkOpenGLRenderer::SafeDownCast(stage.Renderer)->SetPass(nullptr);
+    check(SelectActors(stage.Renderer, 14, 14, 17, 17) == expected, "selection from the front");
+    UsePass(stage.Renderer, stage.Pass);
+    vtkOpenGLRenderer::SafeDownCast(behind)->SetPass(nullptr);
+    check(SelectActors(behind, 46, 14, 49, 17) == expected, "selection from behind");
+    UsePass(behind, stage.Pass);
+  }
+  CheckSame(check, "selection of two views does not disturb", stage.Render(), before);
 }
 }
 
@@ -302,6 +398,7 @@ int TestFourierOpacityPassWindows(int, char*[])
   {
     CheckViewports(check, method);
     CheckWindows(check, method);
+    CheckContexts(check, method);
   }
   CheckSamples(check, Methods[0]);
   CheckSuperSampling(check, Methods[0]);
@@ -309,6 +406,7 @@ int TestFourierOpacityPassWindows(int, char*[])
   CheckSizes(check);
   CheckEmpty(check);
   CheckSelection(check);
+  CheckSelectionOfViews(check);
   check(messages->IsQuiet(), "no errors and no warnings");
   return check.GetResult();
 }

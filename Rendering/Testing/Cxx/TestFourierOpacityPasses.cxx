@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Guards vtkFourierOpacityMapper among other translucent props, by VTK's ways to draw these;
+// Guards vtkFourierOpacityMapper among other translucent props, by VTK's ways to draw these, where
+// depth peeling, which blends by a maximum, shows what is shown without it, with any method;
 // clipping planes, lookup tables and textures of colours, changes of which show in the next
 // picture; drawing with a subset of what is summed; lists that do not fit into memory; and hardware
-// selection, which leaves out what is faint.
+// selection, which leaves out what is faint, for each of two views by its own picture.
 
 #include "FourierOpacityScene.h"
 #include "RenderPassTesting.h"
@@ -55,6 +56,36 @@ void CheckPasses(Checks& check)
       actor->VisibilityOff();
       CheckColor(check, std::string(PassNames[pass]) + ", alone", stage.Stage::Render().At(16, 16),
         Blend(squares, Background), 2.0);
+    }
+  }
+}
+
+// Peeling changes nothing, neither for a picture nor for a mean of several.
+void CheckPeeling(Checks& check)
+{
+  Scene plain;
+  Scene peeled;
+  SetPass(plain, Plain);
+  SetPass(peeled, Peeling);
+  for (int blending = 0; blending < 6; ++blending)
+  {
+    for (int importance : { Optimization::SeriesImportance, Optimization::ExactImportance })
+    {
+      const Method method{ blending, importance };
+      SetMethod(plain.GetOptimization(), method);
+      SetMethod(peeled.GetOptimization(), method);
+      for (int frames : { 1, 2 })
+      {
+        plain.GetOptimization()->SetAccumulationFrames(frames);
+        peeled.GetOptimization()->SetAccumulationFrames(frames);
+        for (int i = 0; i <= frames; ++i)
+        {
+          CheckSame(check,
+            GetName(method) + ", peeled, picture " + std::to_string(i) + " of " +
+              std::to_string(frames),
+            peeled.Render(), plain.Render(), 2);
+        }
+      }
     }
   }
 }
@@ -191,10 +222,10 @@ void CheckMemory(Checks& check, Messages* messages)
   check(stage.Mapper->GetNumberOfDroppedFragments() == 0, "strips hold all");
 }
 
-std::set<vtkIdType> SelectCells(Stage& stage, int x1, int y1, int x2, int y2)
+std::set<vtkIdType> SelectCells(vtkRenderer* renderer, int x1, int y1, int x2, int y2)
 {
   vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(stage.Renderer);
+  selector->SetRenderer(renderer);
   selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
   selector->SetArea(x1, y1, x2, y2);
   auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
@@ -221,15 +252,44 @@ void CheckSelection(Checks& check)
   const Picture before = stage.Stage::Render();
   const std::set<vtkIdType> important{ 1 };
   const std::set<vtkIdType> alone{ 2 };
-  check(SelectCells(stage, 8, 14, 11, 17) == important, "what is faint is not selected");
-  check(SelectCells(stage, 22, 14, 26, 17) == alone, "what is opaque is selected");
-  check(SelectCells(stage, 14, 2, 17, 4).empty(), "nothing is selected of nothing");
+  check(SelectCells(stage.Renderer, 8, 14, 11, 17) == important, "what is faint is not selected");
+  check(SelectCells(stage.Renderer, 22, 14, 26, 17) == alone, "what is opaque is selected");
+  check(SelectCells(stage.Renderer, 14, 2, 17, 4).empty(), "nothing is selected of nothing");
   check(stage.Stage::Render().Bytes == before.Bytes, "selection does not disturb the picture");
   // Where nothing fades, the front is selected.
   stage.GetOptimization()->SetForegroundWeight(0.0);
   stage.Stage::Render();
   const std::set<vtkIdType> front{ 0 };
-  check(SelectCells(stage, 8, 14, 11, 17) == front, "opacities of the last picture count");
+  check(SelectCells(stage.Renderer, 8, 14, 11, 17) == front, "opacities of the last picture count");
+}
+
+// Something important between two unimportant squares, seen from either side: what lies before it
+// is faint in that view alone.
+void CheckSelectionOfViews(Checks& check)
+{
+  OpacityStage stage(64, 32);
+  stage.GetOptimization()->SetBackgroundWeight(0.0);
+  stage.Mapper->SetInputData(MakeStack(
+    { { 0.0, 0.0, 0.5, 0.4, { 0, 255, 0, 255 } }, { 0.0, 0.0, 0.0, 0.4, { 255, 0, 0, 255 } },
+      { 0.0, 0.0, -0.5, 0.4, { 0, 0, 255, 255 } } },
+    { 0.0, 1.0, 0.0 }));
+  stage.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  vtkNew<vtkRenderer> behind;
+  behind->SetViewport(0.5, 0.0, 1.0, 1.0);
+  behind->AddActor(stage.Actor);
+  vtkNew<vtkCamera> camera;
+  camera->DeepCopy(stage.Renderer->GetActiveCamera());
+  camera->SetPosition(0.0, 0.0, -10.0);
+  behind->SetActiveCamera(camera);
+  stage.Window->AddRenderer(behind);
+  const Picture before = stage.Stage::Render();
+  const std::set<vtkIdType> important{ 1 };
+  for (int i = 0; i < 2; ++i)
+  {
+    check(SelectCells(stage.Renderer, 14, 14, 17, 17) == important, "selection from the front");
+    check(SelectCells(behind, 46, 14, 49, 17) == important, "selection from behind");
+  }
+  CheckSame(check, "selection of two views does not disturb", stage.Stage::Render(), before);
 }
 }
 
@@ -239,11 +299,13 @@ int TestFourierOpacityPasses(int, char*[])
   const KeptDisplay kept;
   auto messages = Listen();
   CheckPasses(check);
+  CheckPeeling(check);
   CheckNearDepths(check);
   CheckColors(check);
   CheckSubset(check);
   CheckMemory(check, messages);
   CheckSelection(check);
+  CheckSelectionOfViews(check);
   check(messages->IsQuiet(), "no errors and no warnings");
   return check.GetResult();
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Guards how arrays become importance, that opacity is smoothed along a line and nowhere else, and
+// Guards how arrays become importance, that elements are made anew for other points and cells but
+// not for other importance, that opacity is smoothed along a line and nowhere else, and
 // that lines and surfaces fade alike everywhere, whatever the number of their segments.
 
 #include "FourierOpacityTesting.h"
@@ -121,6 +122,79 @@ void CheckArrays(Checks& check)
           std::to_string(vertices.GetImportance()->GetValue(i)));
     }
   }
+}
+
+// Elements belong to points and cells: their opacities last while importance changes.
+void CheckElements(Checks& check)
+{
+  std::vector<Curve> curves(1);
+  for (int i = 0; i < 9; ++i)
+  {
+    curves[0].push_back({ 0.1 * i, 0.0, 0.0 });
+  }
+  auto data = MakeLines(curves);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("values");
+  for (int i = 0; i < 9; ++i)
+  {
+    values->InsertNextValue(0.1 * i);
+  }
+  data->GetPointData()->AddArray(values);
+  vtkFourierOpacityVertices vertices;
+  vtkFourierOpacityVertices::Settings settings;
+  settings.ArrayName = "values";
+  settings.Range[0] = 0.0;
+  settings.Range[1] = 1.0;
+  settings.NumberOfLineSegments = 4;
+  vertices.Update(data, settings);
+  vtkNew<vtkDoubleArray> others;
+  others->DeepCopy(values);
+  others->SetName("others");
+  const auto setValue = [&]
+  {
+    values->SetValue(3, 0.7);
+    values->Modified();
+  };
+  const auto movePoint = [&]
+  {
+    data->GetPoints()->SetPoint(8, 3.0, 0.0, 0.0);
+    data->GetPoints()->Modified();
+  };
+  const auto setCells = [&]
+  {
+    vtkNew<vtkCellArray> lines;
+    lines->InsertNextCell({ 0, 1, 2, 3 });
+    lines->InsertNextCell({ 4, 5, 6, 7, 8 });
+    data->SetLines(lines);
+  };
+  const struct
+  {
+    const char* Name;
+    std::function<void()> Change;
+    bool MakesElements;
+  } changes[] = { { "another range", [&] { settings.Range[1] = 0.5; }, false },
+    { "another value", setValue, false },
+    { "another array", [&] { data->GetPointData()->AddArray(others); }, false },
+    { "the name of another array", [&] { settings.ArrayName = "others"; }, false },
+    { "a modified input", [&] { data->Modified(); }, false }, { "another point", movePoint, true },
+    { "other cells", setCells, true },
+    { "another number of segments", [&] { settings.NumberOfLineSegments = 6; }, true } };
+  for (const auto& change : changes)
+  {
+    const vtkMTimeType time = vertices.GetBuildTime();
+    const std::vector<float> before(
+      vertices.GetElements()->GetPointer(0), vertices.GetElements()->GetPointer(0) + 27);
+    change.Change();
+    check(vertices.Update(data, settings), std::string(change.Name) + ": importance is made anew");
+    check((vertices.GetBuildTime() > time) == change.MakesElements,
+      std::string(change.Name) + (change.MakesElements ? ": elements are" : ": no elements are") +
+        " made anew");
+    check(change.MakesElements ||
+        std::equal(before.begin(), before.end(), vertices.GetElements()->GetPointer(0)),
+      std::string(change.Name) + ": elements stay");
+    check(vertices.GetElements()->GetNumberOfTuples() == 9, "elements of all points");
+  }
+  check(std::abs(vertices.GetImportance()->GetValue(3) - 0.6) < 1e-6, "importance in the end");
 }
 
 // Mean of a value and the mean of its neighbours on a line, so many times.
@@ -278,6 +352,7 @@ int TestFourierOpacitySegments(int, char*[])
   Checks check;
   const KeptDisplay kept;
   CheckArrays(check);
+  CheckElements(check);
   CheckSmoothing(check);
   CheckCoarse(check);
   return check.GetResult();
