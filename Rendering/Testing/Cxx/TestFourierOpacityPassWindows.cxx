@@ -28,9 +28,21 @@ constexpr Method Methods[] = { { Optimization::Fourier, Optimization::SeriesImpo
   { Optimization::WeightedAverage, Optimization::SeriesImportance },
   { Optimization::FragmentLists, Optimization::ExactImportance } };
 
+// The part of a picture that the state lets through: no blue, and what the scissor leaves.
+Picture CutState(const Picture& picture)
+{
+  Picture part = Cut(picture, 0, 0, 30, Size);
+  for (std::size_t i = 2; i < part.Bytes.size(); i += 3)
+  {
+    part.Bytes[i] = 0;
+  }
+  return part;
+}
+
 void CheckState(Checks& check, const Method& method)
 {
   PassScene scene(method);
+  const Picture expected = scene.Render();
   vtkNew<StatePass> state;
   state->Delegate = scene.Pass;
   state->HasCulling = false;
@@ -45,6 +57,12 @@ void CheckState(Checks& check, const Method& method)
       check(state->IsSame, GetName(method) + ": the state of OpenGL is the same afterwards");
       check(GetCoverage(Cut(picture, 0, 0, 30, Size), Background) > 0.1,
         GetName(method) + ": something is drawn");
+      // Whatever the state is, blending is the pass's own.
+      if (frames == 1)
+      {
+        CheckSame(
+          check, GetName(method) + ", in an unusual state", CutState(picture), CutState(expected));
+      }
     }
   }
 }
