@@ -182,6 +182,12 @@ void vtkFourierOpacityMapper::SetNumberOfPatches(int number)
 }
 
 //------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::ForgetOpacities()
+{
+  this->Internals->Painter->ForgetOpacities();
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkFourierOpacityMapper::GetNumberOfBytes()
 {
   return this->Internals->Painter->GetNumberOfBytes();

@@ -115,6 +115,13 @@ public:
   vtkGetMacro(NumberOfPatches, int);
   ///@}
 
+  /**
+   * Forget the opacities of earlier pictures. What a picture does not show keeps them, and its
+   * neighbours are smoothed with it, so that a picture depends on those before it; the next one
+   * does not.
+   */
+  void ForgetOpacities();
+
   /// Bytes on the graphics device for sums, layers and opacities, of the mapper by itself; and
   /// those of the sums alone, which the paper counts. 0 before the first picture.
   vtkIdType GetNumberOfBytes();

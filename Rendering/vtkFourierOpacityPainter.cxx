@@ -311,6 +311,17 @@ void vtkFourierOpacityPainter::EndSelection()
 }
 
 //------------------------------------------------------------------------------
+void vtkFourierOpacityPainter::ForgetOpacities()
+{
+  for (const std::unique_ptr<View>& view : this->Views)
+  {
+    view->Elements.SetGroups({});
+    view->Items.clear();
+    view->Accumulator.Forget();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkFourierOpacityPainter::GetNumberOfBytes() const
 {
   vtkIdType bytes = this->Steps.GetNumberOfBytes();

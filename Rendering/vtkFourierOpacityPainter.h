@@ -75,6 +75,9 @@ public:
     const vtkFourierOpacityGroup& elements, vtkFourierOpacityStage& stage);
   void EndSelection();
 
+  /// Forget what elements were like in earlier pictures.
+  void ForgetOpacities();
+
   /// Bytes on the graphics device: of all, and of the sums alone.
   vtkIdType GetNumberOfBytes() const;
   vtkIdType GetNumberOfSumBytes() const { return this->Steps.Targets.GetNumberOfSumBytes(); }

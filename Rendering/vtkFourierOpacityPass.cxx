@@ -76,6 +76,12 @@ vtkRenderPass* vtkFourierOpacityPass::GetTranslucentPass()
 }
 
 //------------------------------------------------------------------------------
+void vtkFourierOpacityPass::ForgetOpacities()
+{
+  this->Internals->Painter->ForgetOpacities();
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkFourierOpacityPass::GetNumberOfBytes()
 {
   return this->Internals->Painter->GetNumberOfBytes();

@@ -177,11 +177,8 @@ double OpacityMethod::Update(BenchmarkInput& input)
 //------------------------------------------------------------------------------
 void OpacityMethod::PrepareForPicture()
 {
-  // Segments that no pixel shows keep their opacity from the frames before, and their neighbours
-  // are smoothed with it. New input starts afresh.
-  vtkNew<vtkPolyData> copy;
-  copy->ShallowCopy(this->Mapper->GetInput());
-  this->Mapper->SetInputData(copy);
+  // It must not depend on the frames before.
+  this->Mapper->ForgetOpacities();
 }
 
 //------------------------------------------------------------------------------

@@ -69,7 +69,8 @@ int TestFourierOpacityMissing(int, char*[])
   }
   check(messages->TakeErrors("opacity optimization needs OpenGL 4.2") == 1,
     "the pass tells once what is missing");
-  check(messages->TakeWarnings("1 translucent props are no actors with a vtkFourierOpacityMapper") == 1,
+  check(
+    messages->TakeWarnings("1 translucent props are no actors with a vtkFourierOpacityMapper") == 1,
     "the pass tells of other props");
   check(stage.Pass->GetNumberOfRenderedProps() == 1, "the pass counts the other one");
   check(messages->IsQuiet(), "no other errors and no warnings");

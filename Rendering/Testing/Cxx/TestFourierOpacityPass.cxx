@@ -369,8 +369,9 @@ void CheckOthers(Checks& check, Messages* messages)
   {
     CheckColor(check, "another prop", stage.Render().At(16, 16), expected, 1.6);
   }
-  check(messages->TakeWarnings("1 translucent props are no actors with a vtkFourierOpacityMapper: they are "
-                               "drawn over") == 1,
+  check(messages->TakeWarnings(
+          "1 translucent props are no actors with a vtkFourierOpacityMapper: they are "
+          "drawn over") == 1,
     "other props are told once");
   check(stage.Pass->GetNumberOfRenderedProps() == 2, "number of props");
   stage.Pass->SetTranslucentPass(nullptr);
@@ -381,8 +382,9 @@ void CheckOthers(Checks& check, Messages* messages)
   stage.AddItem(MakeMapper({ other }));
   stage.Render();
   stage.Render();
-  check(messages->TakeWarnings("2 translucent props are no actors with a vtkFourierOpacityMapper: they are not "
-                               "drawn") == 1,
+  check(messages->TakeWarnings(
+          "2 translucent props are no actors with a vtkFourierOpacityMapper: they are not "
+          "drawn") == 1,
     "what is not drawn is told once");
   // By themselves they are drawn as ever, and nothing is to be told.
   stage.Pass->SetTranslucentPass(vtkNew<vtkTranslucentPass>());
