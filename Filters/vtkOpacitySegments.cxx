@@ -287,12 +287,21 @@ std::string DescribeDropped(const Division& lines, const Mesh& mesh, const Lonel
   return text;
 }
 
+// As many segments as opacity needs to follow the importance along lines, but no more than their
+// points can tell apart.
+int GetDefaultNumberOfLineSegments(vtkCellArray* lines)
+{
+  const vtkIdType wanted =
+    std::min(16 * lines->GetNumberOfCells(), lines->GetNumberOfConnectivityIds() / 4);
+  return static_cast<int>(std::min<vtkIdType>(
+    std::max<vtkIdType>(wanted, 50000), vtkOpacitySegments::LargestNumberOfSegments));
+}
 }
 
 //------------------------------------------------------------------------------
 void vtkOpacitySegments::SetNumberOfLineSegments(int number)
 {
-  vtkLineSetsSetInRange(this, "NumberOfLineSegments", this->NumberOfLineSegments, number, 1,
+  vtkLineSetsSetInRange(this, "NumberOfLineSegments", this->NumberOfLineSegments, number, 0,
     int{ LargestNumberOfSegments });
 }
 
@@ -373,8 +382,10 @@ std::string vtkOpacitySegments::Execute(
 
   const vtkIdType numberOfPoints = static_cast<vtkIdType>(points.Points.size());
   const Budget budget(lines.GetNumberOfLines(), mesh, this->NumberOfPatches, numberOfPoints);
-  const bool isCoarser =
-    lines.Divide(this->SegmentLength, this->NumberOfLineSegments, budget.Lines);
+  const int numberOfSegments = this->NumberOfLineSegments > 0
+    ? this->NumberOfLineSegments
+    : GetDefaultNumberOfLineSegments(input->GetLines());
+  const bool isCoarser = lines.Divide(this->SegmentLength, numberOfSegments, budget.Lines);
   lines.SetPoints(arrays);
   lines.AddNeighbors(neighbors);
   this->NumberOfSegmentsOfLines = lines.NumberOfSegments;

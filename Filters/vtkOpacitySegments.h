@@ -83,11 +83,11 @@ public:
 
   ///@{
   /**
-   * Number of segments of all lines together, 1 to 2^24-1. Their length is the total length of the
-   * lines divided by it; then each line gets a whole number of them, at least one, so that the
-   * total differs a little. Choose several times the number of lines, or else nothing is smoothed
-   * along them. The paper uses 20 000 to 150 000 (Sec. 5.5.2). Default 50000. A value
-   * out of range is an error, and the old one stays.
+   * Number of segments of all lines together, 1 to 2^24-1, or 0 for 16 per line, but at most one
+   * for four points, and at least 50 000. Their length is the total length of the lines divided by
+   * it; then each line gets a whole number of them, at least one, so that the total differs a
+   * little. Lines of few segments have nearly the same opacity all along. The paper uses 20 000 to
+   * 150 000 (Sec. 5.5.2). Default 0. A value out of range is an error, and the old one stays.
    */
   virtual void SetNumberOfLineSegments(int number);
   vtkGetMacro(NumberOfLineSegments, int);
@@ -146,7 +146,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  int NumberOfLineSegments = 50000;
+  int NumberOfLineSegments = 0;
   double SegmentLength = 0.0;
   int NumberOfPatches = 500;
 

@@ -170,7 +170,7 @@ void vtkFourierOpacityMapper::SetImportanceRange(double low, double high)
 //------------------------------------------------------------------------------
 void vtkFourierOpacityMapper::SetNumberOfLineSegments(int number)
 {
-  vtkLineSetsSetInRange(this, "NumberOfLineSegments", this->NumberOfLineSegments, number, 1,
+  vtkLineSetsSetInRange(this, "NumberOfLineSegments", this->NumberOfLineSegments, number, 0,
     int{ vtkOpacitySegments::LargestNumberOfSegments });
 }
 

@@ -99,8 +99,9 @@ public:
 
   ///@{
   /**
-   * Number of segments into which all lines are cut, 1 to 2^24-1, where the input has none. Default
-   * 50000, paper 20 000 to 150 000.
+   * Number of segments into which all lines are cut, 1 to 2^24-1, where the input has none; 0 for
+   * 16 per line, but at most one for four points, and at least 50 000. Default 0; paper 20 000 to
+   * 150 000.
    */
   virtual void SetNumberOfLineSegments(int number);
   vtkGetMacro(NumberOfLineSegments, int);
@@ -169,7 +170,7 @@ protected:
 
   std::string ImportanceArrayName;
   double ImportanceRange[2] = { 1.0, 0.0 };
-  int NumberOfLineSegments = 50000;
+  int NumberOfLineSegments = 0;
   int NumberOfPatches = 500;
 
 private:

@@ -38,7 +38,7 @@ public:
     /// Values that are mapped to 0 and 1; the array's own range where the first is above the
     /// second.
     double Range[2] = { 1.0, 0.0 };
-    int NumberOfLineSegments = 50000;
+    int NumberOfLineSegments = 0;
     int NumberOfPatches = 500;
 
     bool operator==(const Settings& other) const;

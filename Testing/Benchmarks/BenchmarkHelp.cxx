@@ -126,8 +126,8 @@ SCENE or --scene SCENE   )"
                          (default 5)
 --subset N               opacity optimization takes one of N segments for its series, 1 to 10000
                          (default 1: all); fragment-list takes all
---line-segments N        of opacity optimization in all lines together, 1 to 16777215 (default
-                         50000)
+--line-segments N        of opacity optimization in all lines together, up to 16777215 (default 0:
+                         16 per line, at most one for four points, at least 50000)
 --patches N              of opacity optimization on all surfaces together, 1 to 16777215 (default
                          500)
 --weights P,Q,R,LAMBDA   of the energy that opacity optimization minimizes: of opacity itself, of

@@ -213,7 +213,7 @@ std::map<std::string, Setter> GetSetters()
     { "--subset", [](O& o, const S& v) { o.Opacities.Subset = ToInt("--subset", v, 1, 10000); } },
     { "--line-segments",
       [](O& o, const S& v)
-      { o.Opacities.LineSegments = ToInt("--line-segments", v, 1, (1 << 24) - 1); } },
+      { o.Opacities.LineSegments = ToInt("--line-segments", v, 0, (1 << 24) - 1); } },
     { "--patches",
       [](O& o, const S& v) { o.Opacities.Patches = ToInt("--patches", v, 1, (1 << 24) - 1); } },
     { "--smoothing",

@@ -21,7 +21,7 @@ struct OpacityOptions
 {
   int Bands = 5;            ///< of the Fourier series, 1 to 16
   int Subset = 1;           ///< one of so many segments is taken for the series, 1 to 10000
-  int LineSegments = 50000; ///< of all lines together, 1 to 2^24-1
+  int LineSegments = 0; ///< of all lines together, up to 2^24-1; 0: by the filter
   int Patches = 500;        ///< of all surfaces together, 1 to 2^24-1
   /// Steps of smoothing of opacities along the geometry, 0 to 1000, and p (1e-6 to 1e6), q and r (0
   /// to 1e6) and lambda (0.01 to 100) of the energy, Eq. 1. Without, those of the scene.

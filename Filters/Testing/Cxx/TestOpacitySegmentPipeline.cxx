@@ -192,7 +192,7 @@ void TestProperties(Checks& check)
     }
   }
   const std::vector<std::function<void()>> refused = {
-    [&]() { filter->SetNumberOfLineSegments(0); },
+    [&]() { filter->SetNumberOfLineSegments(-1); },
     [&]() { filter->SetNumberOfLineSegments(1 << 24); },
     [&]() { filter->SetSegmentLength(-1.0); },
     [&]() { filter->SetSegmentLength(std::numeric_limits<double>::quiet_NaN()); },

@@ -11,7 +11,7 @@ segments = vtkOpacitySegments()
 assert isinstance(segments, vtkPolyDataAlgorithm)
 
 # Defaults, as the documentation tells them.
-assert segments.GetNumberOfLineSegments() == 50000
+assert segments.GetNumberOfLineSegments() == 0
 assert segments.GetSegmentLength() == 0.0
 assert segments.GetNumberOfPatches() == 500
 assert segments.GetNumberOfSegments() == 0

@@ -34,7 +34,7 @@ for name, value in defaults.items():
     assert getattr(own, "Get" + name)() == value, name
 assert mapper.GetImportanceArrayName() == ""
 assert mapper.GetImportanceRange() == (1.0, 0.0)
-assert mapper.GetNumberOfLineSegments() == 50000 and mapper.GetNumberOfPatches() == 500
+assert mapper.GetNumberOfLineSegments() == 0 and mapper.GetNumberOfPatches() == 500
 assert mapper.GetNumberOfBytes() == 0 and mapper.GetNumberOfSumBytes() == 0
 
 # Each way by name.
