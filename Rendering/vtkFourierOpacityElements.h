@@ -25,7 +25,7 @@ class vtkIntArray;
 /// Elements of one mapper.
 struct vtkFourierOpacityGroup
 {
-  /// Whose elements: compared, never followed; and when they were made.
+  /// Whose elements, as the painter tells: compared, never followed; and when they were made.
   const void* Owner = nullptr;
   vtkMTimeType BuildTime = 0;
   vtkIdType Count = 0;

@@ -237,7 +237,6 @@ vtkFourierOpacityGroup vtkFourierOpacityMapper::UpdateElements()
 {
   vtkInternals& internals = *this->Internals;
   vtkFourierOpacityGroup group;
-  group.Owner = this;
   if (!this->Static)
   {
     this->Update();

@@ -5,12 +5,9 @@
 #include "vtkFourierOpacityTargets.h"
 #include "vtkFragmentLists.h"
 #include "vtkOpacityOptimization.h"
-#include "vtkShaderProgram.h"
 
 #include "vtkFourierOpacity.h"
 #include "vtkFourierOpacityDepth.h"
-#include "vtkFragmentListPassResolve.h"
-#include "vtkFragmentListPassStore.h"
 
 #include <iomanip>
 #include <locale>
@@ -19,12 +16,8 @@
 
 namespace
 {
-// Atomic operations on images, and the bits of floats, in VTK's shaders of GLSL 1.50.
-constexpr const char* AtomicExtensions = "#extension GL_ARB_shader_image_load_store : require\n"
-                                         "#extension GL_ARB_shader_bit_encoding : require\n";
-
-// What part of a pixel of a reduced picture a fragment covers: lines and points are drawn as wide
-// as in the full picture, that is, too wide.
+// What part of a pixel of a reduced picture a fragment stands for: lines and points that should be
+// smaller than a pixel are drawn as large as one.
 constexpr const char* Coverage = "uniform float fourierCoverage;\n";
 
 // Hidden fragments of reduced pictures, which have no depth buffer of their own.
@@ -198,7 +191,7 @@ vtkFourierOpacityStage vtkFourierOpacityStages::FindOpacities() const
   stage.Kind = vtkFourierOpacityStage::Opacities;
   stage.NeedsImportance = true;
   stage.NeedsElement = true;
-  stage.Extensions = AtomicExtensions;
+  stage.Extensions = vtkFragmentLists::GetExtensionSource();
   stage.IsReduced = true;
   stage.Declarations = this->GetDeclarations(true) + Coverage +
     "layout(r32ui) uniform uimageBuffer fourierSmallest;\n";
@@ -230,13 +223,35 @@ vtkFourierOpacityStage vtkFourierOpacityStages::FindOpacities() const
 }
 
 //------------------------------------------------------------------------------
-vtkFourierOpacityStage vtkFourierOpacityStages::DrawOpaqueLayer() const
+vtkFourierOpacityStage vtkFourierOpacityStages::BeginStage(
+  vtkFourierOpacityStage::KindType kind) const
 {
   vtkFourierOpacityStage stage;
-  stage.Kind = vtkFourierOpacityStage::OpaqueLayer;
+  stage.Kind = kind;
   stage.HaloWidth = this->HaloWidth;
   stage.HaloDepth = this->HaloDepth;
   stage.NeedsOpacity = true;
+  return stage;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityStages::DiscardOpaque() const
+{
+  return "  if (fourierAlpha <= 0.0 || fourierAlpha >= " + Number(this->OpaqueThreshold) +
+    ")\n  {\n    discard;\n  }\n";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityStages::FindDepth() const
+{
+  return this->HasBounds ? "  float fourierD = fourierPixelDepth(fourierSceneDepth(%Z));\n"
+                         : "  float fourierD = fourierSceneDepth(%Z);\n";
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityStage vtkFourierOpacityStages::DrawOpaqueLayer() const
+{
+  vtkFourierOpacityStage stage = this->BeginStage(vtkFourierOpacityStage::OpaqueLayer);
   stage.WritesDepth = true;
   stage.Declarations = this->HaloWidth > 0.0 ? this->GetDeclarations(false) : std::string();
   stage.Code = "  if (fourierOpacityVSOutput * %OPACITY < " + Number(this->OpaqueThreshold) +
@@ -248,23 +263,16 @@ vtkFourierOpacityStage vtkFourierOpacityStages::DrawOpaqueLayer() const
 //------------------------------------------------------------------------------
 vtkFourierOpacityStage vtkFourierOpacityStages::SumOpticalDepth(const Outputs& outputs) const
 {
-  vtkFourierOpacityStage stage;
-  stage.Kind = vtkFourierOpacityStage::OpticalDepth;
-  stage.HaloWidth = this->HaloWidth;
-  stage.HaloDepth = this->HaloDepth;
-  stage.NeedsOpacity = true;
+  vtkFourierOpacityStage stage = this->BeginStage(vtkFourierOpacityStage::OpticalDepth);
   stage.NeedsElement = this->Subset > 1;
   stage.Declarations = this->GetDeclarations(false);
-  stage.Code = "  float fourierAlpha = fourierOpacityVSOutput * %OPACITY;\n"
-               "  if (fourierAlpha <= 0.0 || fourierAlpha >= " +
-    Number(this->OpaqueThreshold) + ")\n  {\n    discard;\n  }\n";
+  stage.Code =
+    "  float fourierAlpha = fourierOpacityVSOutput * %OPACITY;\n" + this->DiscardOpaque();
   if (this->Subset > 1)
   {
     stage.Code += "  if (!fourierIsInSubset(fourierElementVSOutput))\n  {\n    discard;\n  }\n";
   }
-  stage.Code += std::string("  float fourierD = ") +
-    (this->HasBounds ? "fourierPixelDepth(fourierSceneDepth(%Z))" : "fourierSceneDepth(%Z)") +
-    ";\n"
+  stage.Code += this->FindDepth() +
     "  FourierTerms terms = fourierTerms(fourierD);\n"
     "  float fourierValue = " +
     Number(static_cast<float>(this->Subset)) + " * opticalDepth(fourierAlpha);\n" +
@@ -275,19 +283,11 @@ vtkFourierOpacityStage vtkFourierOpacityStages::SumOpticalDepth(const Outputs& o
 //------------------------------------------------------------------------------
 vtkFourierOpacityStage vtkFourierOpacityStages::AddColors() const
 {
-  vtkFourierOpacityStage stage;
-  stage.Kind = vtkFourierOpacityStage::Colors;
-  stage.HaloWidth = this->HaloWidth;
-  stage.HaloDepth = this->HaloDepth;
-  stage.NeedsOpacity = true;
+  vtkFourierOpacityStage stage = this->BeginStage(vtkFourierOpacityStage::Colors);
   stage.NeedsElement = this->HasSums && this->Subset > 1;
   stage.Declarations = this->GetDeclarations(this->HasSums);
-  stage.Code = "  float fourierAlpha = min(fourierOpacityVSOutput * %OPACITY, 0.9999);\n"
-               "  if (fourierAlpha <= 0.0 || fourierAlpha >= " +
-    Number(this->OpaqueThreshold) + ")\n  {\n    discard;\n  }\n";
-  const std::string depth = this->HasBounds
-    ? "  float fourierD = fourierPixelDepth(fourierSceneDepth(%Z));\n"
-    : "  float fourierD = fourierSceneDepth(%Z);\n";
+  stage.Code = "  float fourierAlpha = min(fourierOpacityVSOutput * %OPACITY, 0.9999);\n" +
+    this->DiscardOpaque();
   if (this->HasSums)
   {
     const bool paper = this->Blending == vtkOpacityOptimization::PaperFourier;
@@ -295,7 +295,7 @@ vtkFourierOpacityStage vtkFourierOpacityStages::AddColors() const
       ? "(fourierIsInSubset(fourierElementVSOutput) ? float(" + std::to_string(this->Subset) +
         ") * fourierTau : 0.0)"
       : "fourierTau";
-    stage.Code += depth +
+    stage.Code += this->FindDepth() +
       "  fourierFetch(ivec2(gl_FragCoord.xy));\n"
       "  float fourierShare;\n"
       "  float fourierHere = fourierSum(fourierD, fourierShare);\n"
@@ -311,7 +311,7 @@ vtkFourierOpacityStage vtkFourierOpacityStages::AddColors() const
   {
     // McGuire and Bavoil, 2013, Eq. 10: the weight has the opacity, and so have the colours
     // already.
-    stage.Code += depth +
+    stage.Code += this->FindDepth() +
       "  float fourierWeight = fourierAlpha * fourierAlpha *\n"
       "    max(1e-2, 3e3 * (1.0 - fourierD) * (1.0 - fourierD) * (1.0 - fourierD));\n";
   }
@@ -462,14 +462,10 @@ vtkFourierOpacityStage vtkFourierOpacityStages::ListImportance() const
 //------------------------------------------------------------------------------
 vtkFourierOpacityStage vtkFourierOpacityStages::ListColors() const
 {
-  vtkFourierOpacityStage stage;
-  stage.Kind = vtkFourierOpacityStage::ColorList;
-  stage.HaloWidth = this->HaloWidth;
-  stage.HaloDepth = this->HaloDepth;
-  stage.NeedsOpacity = true;
+  vtkFourierOpacityStage stage = this->BeginStage(vtkFourierOpacityStage::ColorList);
   stage.Extensions = vtkFragmentLists::GetExtensionSource();
   stage.Declarations = (this->HaloWidth > 0.0 ? this->GetDeclarations(false) : std::string()) +
-    vtkFragmentLists::GetStoreSource() + vtkFragmentListPassStore;
+    vtkFragmentLists::GetColorStoreSource();
   stage.Code = "  storeFragmentColor(ivec2(gl_FragCoord.xy), %Z,\n"
                "    vec4(%COLOR, fourierOpacityVSOutput * %OPACITY));\n";
   return stage;
@@ -519,11 +515,7 @@ std::string vtkFourierOpacityStages::ResolveImportance() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFourierOpacityStages::ResolveColors() const
+std::string vtkFourierOpacityStages::ResolveColors()
 {
-  std::string source = vtkFragmentListPassResolve;
-  vtkShaderProgram::Substitute(
-    source, "//LineSets::FragmentLists::Dec", vtkFragmentLists::GetReadSource());
-  vtkFragmentLists::InsertExtensions(source);
-  return source;
+  return vtkFragmentLists::GetBlendSource();
 }

@@ -60,11 +60,16 @@ struct vtkFourierOpacityStages
   std::string ShowMean() const;
   /// What walks a sorted list of fragments: finds opacities, or blends colours.
   std::string ResolveImportance() const;
-  std::string ResolveColors() const;
+  static std::string ResolveColors();
 
 private:
   std::string GetDeclarations(bool readsSums) const;
   std::string WriteSums(const Outputs& outputs) const;
+  /// What stages that draw with opacity have in common; code that leaves out what the opaque layer
+  /// has, and code that finds the depth among the terms of the series.
+  vtkFourierOpacityStage BeginStage(vtkFourierOpacityStage::KindType kind) const;
+  std::string DiscardOpaque() const;
+  std::string FindDepth() const;
 };
 
 #endif

@@ -20,7 +20,6 @@ void vtkFourierOpacityView::Set(vtkRenderer* renderer, const std::vector<vtkActo
   this->IsParallel = camera->GetParallelProjection() != 0;
   camera->GetPosition(this->Position);
   camera->GetDirectionOfProjection(this->Direction);
-  camera->GetViewUp(this->Up);
   this->Angle = camera->GetViewAngle();
   this->ParallelScale = camera->GetParallelScale();
   vtkMatrix4x4* projection =

@@ -25,7 +25,6 @@ struct VTKRENDERINGLINESETS_EXPORT vtkFourierOpacityView
   double Range[2] = { 0.0, 1.0 };
   double Position[3] = { 0.0, 0.0, 0.0 };
   double Direction[3] = { 0.0, 0.0, -1.0 };
-  double Up[3] = { 0.0, 1.0, 0.0 };
   double Angle = 30.0;
   double ParallelScale = 1.0;
 

@@ -7,15 +7,12 @@
 
 #include "vtkFragmentLists.h"
 #include "vtkLineSetsCheckedValuePrivate.h"
+#include "vtkLineSetsQuad.h"
 #include "vtkLineSetsSceneDepth.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkProp.h"
 #include "vtkRenderState.h"
 #include "vtkRenderTimerLog.h"
@@ -23,10 +20,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkTranslucentPass.h"
-
-#include "vtkFragmentListPassResolve.h"
-#include "vtkFragmentListPassStore.h"
-#include "vtkLineSetsLayerVS.h"
 
 #include <array>
 
@@ -126,7 +119,6 @@ public:
 
   std::string Prepare(vtkRenderer* renderer, vtkOpenGLRenderWindow* window);
   std::string Blend();
-  vtkShaderProgram* ReadyResolveProgram();
 };
 
 //------------------------------------------------------------------------------
@@ -167,49 +159,25 @@ std::string vtkFragmentListPass::vtkInternals::Prepare(
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkFragmentListPass::vtkInternals::ReadyResolveProgram()
-{
-  std::string source = vtkFragmentListPassResolve;
-  vtkFragmentLists::InsertExtensions(source);
-  vtkShaderProgram::Substitute(
-    source, "//LineSets::FragmentLists::Dec", vtkFragmentLists::GetReadSource());
-  return this->Window->GetShaderCache()->ReadyShaderProgram(vtkLineSetsLayerVS, source.c_str(), "");
-}
-
-//------------------------------------------------------------------------------
 // Blend what is stored and sorted, over what the framebuffer holds.
 std::string vtkFragmentListPass::vtkInternals::Blend()
 {
   vtkOpenGLState* state = this->Window->GetState();
-  vtkShaderProgram* program = this->ReadyResolveProgram();
+  vtkShaderProgram* program =
+    vtkLineSetsQuad::ReadyProgram(this->Window, vtkFragmentLists::GetBlendSource());
   if (!program)
   {
     return "the shader that blends fragments does not compile with this OpenGL";
   }
-  vtkNew<vtkOpenGLVertexArrayObject> vao;
-  vao->Bind();
-  if (!vao->AddAttributeArray(program, this->Window->GetTQuad2DVBO(), "ndCoordIn", 0,
-        4 * sizeof(float), VTK_FLOAT, 2, false))
-  {
-    vao->Release();
-    return "the vertices of the final draw cannot be bound";
-  }
   this->Lists.SetReadParameters(program);
   program->SetUniform2i("fragmentListOrigin", this->Viewport);
-  {
-    const vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
-    const vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
-    const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-    const vtkOpenGLState::ScopedglBlendFuncSeparate function(state);
-    state->vtkglDisable(GL_DEPTH_TEST);
-    state->vtkglDisable(GL_CULL_FACE);
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    vtkOpenGLRenderUtilities::DrawFullScreenQuad();
-  }
-  vao->Release();
-  vao->ReleaseGraphicsResources();
-  return {};
+  const vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  const vtkOpenGLState::ScopedglBlendFuncSeparate function(state);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  return vtkLineSetsQuad::Draw(this->Window, program);
 }
 
 vtkStandardNewMacro(vtkFragmentListPass);
@@ -433,8 +401,8 @@ bool vtkFragmentListPass::PostReplaceShaderValues(std::string& vtkNotUsed(vertex
   // Where the mapper has set the depth, its tag is gone.
   vtkShaderProgram::Substitute(
     fragmentShader, "//VTK::Depth::Impl", "gl_FragDepth = gl_FragCoord.z;");
-  return vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Dec",
-           vtkFragmentLists::GetStoreSource() + vtkFragmentListPassStore) &&
+  return vtkShaderProgram::Substitute(
+           fragmentShader, "//VTK::DepthPeeling::Dec", vtkFragmentLists::GetColorStoreSource()) &&
     vtkShaderProgram::Substitute(fragmentShader, "//VTK::DepthPeeling::Impl",
       "storeFragmentColor(ivec2(gl_FragCoord.xy), gl_FragDepth, gl_FragData[0]);");
 }

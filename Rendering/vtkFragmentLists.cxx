@@ -5,20 +5,19 @@
 #define LINESETS_USE_OPENGL
 #include "vtkLineSetsCompatibilityPrivate.h"
 
-#include "vtkOpenGLBufferObject.h"
+#include "vtkLineSetsQuad.h"
+#include "vtkLineSetsScopedState.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkOpenGLRenderUtilities.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include "vtkFragmentListPassResolve.h"
+#include "vtkFragmentListPassStore.h"
 #include "vtkFragmentListsRead.h"
 #include "vtkFragmentListsSort.h"
 #include "vtkFragmentListsStore.h"
-#include "vtkLineSetsLayerVS.h"
 
 #include <algorithm>
 #include <cstring>
@@ -51,13 +50,6 @@ int GetInteger(unsigned int which)
 {
   int value = 0;
   glGetIntegerv(which, &value);
-  return value;
-}
-
-int GetUnitInteger(unsigned int which, int unit)
-{
-  int value = 0;
-  glGetIntegeri_v(which, static_cast<GLuint>(unit), &value);
   return value;
 }
 
@@ -162,6 +154,21 @@ std::string vtkFragmentLists::GetReadSource()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkFragmentLists::GetColorStoreSource()
+{
+  return GetStoreSource() + vtkFragmentListPassStore;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFragmentLists::GetBlendSource()
+{
+  std::string source = vtkFragmentListPassResolve;
+  vtkShaderProgram::Substitute(source, "//LineSets::FragmentLists::Dec", GetReadSource());
+  InsertExtensions(source);
+  return source;
+}
+
+//------------------------------------------------------------------------------
 void vtkFragmentLists::InsertExtensions(std::string& fragmentShader)
 {
   vtkShaderProgram::Substitute(
@@ -233,7 +240,10 @@ std::string vtkFragmentLists::Begin(vtkOpenGLRenderWindow* window, int width, in
     return "there is no memory on the graphics device for the counters of " + size;
   }
   this->ClearCounters();
-  this->SaveImageUnits();
+  for (unsigned int unit = 0; unit < NumberOfUnits; ++unit)
+  {
+    this->SavedUnits.push_back(std::make_unique<vtkLineSetsScopedState::SavedImageUnit>(unit));
+  }
   this->IsCounting = true;
   return {};
 }
@@ -274,33 +284,6 @@ void vtkFragmentLists::ClearCounters()
   glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
   glClearBufferuiv(GL_COLOR, 0, zero);
   state->PopFramebufferBindings();
-}
-
-//------------------------------------------------------------------------------
-void vtkFragmentLists::SaveImageUnits()
-{
-  for (int unit = 0; unit < NumberOfUnits; ++unit)
-  {
-    ImageBinding& binding = this->SavedUnits[unit];
-    binding.Name = GetUnitInteger(GL_IMAGE_BINDING_NAME, unit);
-    binding.Level = GetUnitInteger(GL_IMAGE_BINDING_LEVEL, unit);
-    binding.IsLayered = GetUnitInteger(GL_IMAGE_BINDING_LAYERED, unit);
-    binding.Layer = GetUnitInteger(GL_IMAGE_BINDING_LAYER, unit);
-    binding.Access = GetUnitInteger(GL_IMAGE_BINDING_ACCESS, unit);
-    binding.Format = GetUnitInteger(GL_IMAGE_BINDING_FORMAT, unit);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkFragmentLists::RestoreImageUnits()
-{
-  for (int unit = 0; unit < NumberOfUnits; ++unit)
-  {
-    const ImageBinding& binding = this->SavedUnits[unit];
-    glBindImageTexture(static_cast<GLuint>(unit), static_cast<GLuint>(binding.Name), binding.Level,
-      binding.IsLayered ? GL_TRUE : GL_FALSE, binding.Layer, static_cast<GLenum>(binding.Access),
-      static_cast<GLenum>(binding.Format));
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -525,14 +508,12 @@ std::string vtkFragmentLists::SortStrip()
   const vtkOpenGLState::ScopedglScissor scissor(state);
   const vtkOpenGLState::ScopedglColorMask mask(state);
   const vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
-  const vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
   const vtkOpenGLState::ScopedglEnableDisable multisample(state, GL_MULTISAMPLE);
   const std::array<int, 2> rows = this->GetStripRows(this->CurrentStrip);
   state->vtkglViewport(0, 0, this->Width, this->Height);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(0, rows[0], this->Width, rows[1] - rows[0]);
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_MULTISAMPLE);
   state->PushDrawFramebufferBinding();
   // OpenGL wants something to draw to, of the lists' size; no value is written.
@@ -550,19 +531,10 @@ std::string vtkFragmentLists::DrawSort()
   std::string source =
     std::string("//VTK::System::Dec\n") + vtkFragmentListsRead + vtkFragmentListsSort;
   InsertExtensions(source);
-  vtkShaderProgram* program =
-    this->Window->GetShaderCache()->ReadyShaderProgram(vtkLineSetsLayerVS, source.c_str(), "");
+  vtkShaderProgram* program = vtkLineSetsQuad::ReadyProgram(this->Window, source);
   if (!program)
   {
     return "the shader that sorts fragments does not compile with this OpenGL";
-  }
-  vtkNew<vtkOpenGLVertexArrayObject> vao;
-  vao->Bind();
-  if (!vao->AddAttributeArray(program, this->Window->GetTQuad2DVBO(), "ndCoordIn", 0,
-        4 * sizeof(float), VTK_FLOAT, 2, false))
-  {
-    vao->Release();
-    return "the vertices of the draw that sorts fragments cannot be bound";
   }
   this->BindImages(program);
   // A step takes one turn and one for each level of the heap.
@@ -574,16 +546,15 @@ std::string vtkFragmentLists::DrawSort()
   }
   const int stepsPerDraw = MaximumNumberOfTurns / turns;
   const int numberOfSteps = largest / 2 + largest - 1;
-  for (int step = 0; step < numberOfSteps; step += stepsPerDraw)
+  std::string error;
+  for (int step = 0; error.empty() && step < numberOfSteps; step += stepsPerDraw)
   {
     const int steps[2] = { step, step + stepsPerDraw };
     program->SetUniform2i("fragmentListSteps", steps);
-    vtkOpenGLRenderUtilities::DrawFullScreenQuad();
+    error = vtkLineSetsQuad::Draw(this->Window, program);
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   }
-  vao->Release();
-  vao->ReleaseGraphicsResources();
-  return {};
+  return error;
 }
 
 //------------------------------------------------------------------------------
@@ -599,7 +570,7 @@ void vtkFragmentLists::End()
   std::uint32_t dropped = 0;
   ReadIntegers(this->Dropped, &dropped);
   this->NumberOfDroppedFragments = dropped;
-  this->RestoreImageUnits();
+  this->SavedUnits.clear();
 }
 
 //------------------------------------------------------------------------------

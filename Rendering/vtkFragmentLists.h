@@ -35,6 +35,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,11 @@ class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
+
+namespace vtkLineSetsScopedState
+{
+class SavedImageUnit;
+}
 
 class vtkFragmentLists
 {
@@ -67,6 +73,14 @@ public:
   static std::string GetStoreSource();
   static std::string GetReadSource();
   static void InsertExtensions(std::string& fragmentShader);
+
+  /**
+   * Colours as payload: the store part with void storeFragmentColor(ivec2 pixel, float depth, vec4
+   * color) (glsl/vtkFragmentListPassStore.glsl), and the fragment shader of a quad that blends them
+   * from front to back (glsl/vtkFragmentListPassResolve.glsl).
+   */
+  static std::string GetColorStoreSource();
+  static std::string GetBlendSource();
 
   /**
    * Largest size of the buffer of fragments in bytes, 16 per fragment; default 1 GiB. OpenGL may
@@ -138,23 +152,10 @@ private:
     std::size_t Nodes;
   };
 
-  /// What was bound to an image unit.
-  struct ImageBinding
-  {
-    int Name = 0;
-    int Level = 0;
-    int IsLayered = 0;
-    int Layer = 0;
-    int Access = 0;
-    int Format = 0;
-  };
-
   bool IsContextGone() const;
   void Release();
   bool Resize(int width, int height);
   void ClearCounters();
-  void SaveImageUnits();
-  void RestoreImageUnits();
   void MeasureCounters();
   std::size_t GetMaximumNumberOfNodes() const;
   bool LimitRow(int row, std::size_t nodes);
@@ -179,7 +180,8 @@ private:
   std::vector<std::uint32_t> Counters;
   std::vector<Strip> Strips;
   int CurrentStrip = 0;
-  std::array<ImageBinding, 4> SavedUnits;
+  // What was bound to image units before; bound again by End().
+  std::vector<std::unique_ptr<vtkLineSetsScopedState::SavedImageUnit>> SavedUnits;
 
   vtkIdType NumberOfFragments = 0;
   vtkIdType NumberOfDroppedFragments = 0;

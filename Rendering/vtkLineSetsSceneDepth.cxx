@@ -10,6 +10,7 @@
 #define LINESETS_USE_OPENGL
 #include "vtkLineSetsCompatibilityPrivate.h"
 
+#include "vtkLineSetsBufferTexture.h"
 #include <algorithm>
 #include <cmath>
 
@@ -62,14 +63,6 @@ unsigned int GetDepthAttachment(vtkOpenGLState* state)
   return GetBinding(state, GL_READ_FRAMEBUFFER_BINDING) == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
 }
 
-void ForgetGLErrors()
-{
-  // A context without a window reports errors without end, hence the limit.
-  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
-  {
-  }
-}
-
 /**
  * While it lives, the rectangle can be read from the framebuffer bound for reading, at Origin:
  * where that one has several samples per pixel, they have been resolved into another one.
@@ -82,7 +75,7 @@ public:
     , Origin{ origin[0], origin[1] }
   {
     this->State->PushFramebufferBindings();
-    ForgetGLErrors();
+    vtkLineSetsBufferTexture::ForgetGLErrors();
     if (GetReadSamples(this->State) > 0)
     {
       this->Resolve(window, width, height);

@@ -65,34 +65,6 @@ struct Accumulated
   Picture Render() { return this->Scene->Render(); }
 };
 
-// RMS difference to a picture that is so many times as large, averaged over its pixels.
-double GetError(const Picture& picture, const Picture& large)
-{
-  const int scale = large.Width / picture.Width;
-  double sum = 0.0;
-  for (int y = 0; y < picture.Height; ++y)
-  {
-    for (int x = 0; x < picture.Width; ++x)
-    {
-      double mean[3] = { 0.0, 0.0, 0.0 };
-      for (int i = 0; i < scale * scale; ++i)
-      {
-        const auto sample = large.At(scale * x + i % scale, scale * y + i / scale);
-        for (int c = 0; c < 3; ++c)
-        {
-          mean[c] += sample[c] / static_cast<double>(scale * scale);
-        }
-      }
-      const auto pixel = picture.At(x, y);
-      for (int c = 0; c < 3; ++c)
-      {
-        sum += (pixel[c] - mean[c]) * (pixel[c] - mean[c]);
-      }
-    }
-  }
-  return std::sqrt(sum / (3.0 * picture.Width * picture.Height));
-}
-
 void CheckConvergence(Checks& check, const std::string& name, bool isPass, int blending)
 {
   Accumulated plain(isPass, 1);
