@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFourierOpacityRepresentation.h"
+
+#include "vtkFourierOpacityMapper.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkFourierOpacityRepresentation);
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityRepresentation::vtkFourierOpacityRepresentation()
+{
+  vtkNew<vtkFourierOpacityMapper> mapper;
+  this->SetLineMapper(mapper);
+}
+
+//------------------------------------------------------------------------------
+vtkFourierOpacityRepresentation::~vtkFourierOpacityRepresentation() = default;
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkVoxelLinesRepresentation
+ * @brief   lines in ParaView, ray cast as tubes from a voxel model (vtkVoxelLineMapper)
+ */
+
+#ifndef vtkVoxelLinesRepresentation_h
+#define vtkVoxelLinesRepresentation_h
+
+#include "vtkLineSetsRepresentation.h"
+#include "vtkParaViewLineSetsModule.h" // For export macro
+
+class VTKPARAVIEWLINESETS_EXPORT vtkVoxelLinesRepresentation : public vtkLineSetsRepresentation
+{
+public:
+  static vtkVoxelLinesRepresentation* New();
+  vtkTypeMacro(vtkVoxelLinesRepresentation, vtkLineSetsRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkVoxelLinesRepresentation();
+  ~vtkVoxelLinesRepresentation() override;
+
+private:
+  vtkVoxelLinesRepresentation(const vtkVoxelLinesRepresentation&) = delete;
+  void operator=(const vtkVoxelLinesRepresentation&) = delete;
+};
+
+#endif
