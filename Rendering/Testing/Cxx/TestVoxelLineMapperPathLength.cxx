@@ -282,7 +282,9 @@ int TestVoxelLineMapperPathLength(int, char*[])
   auto messages = Listen();
   const Tubes straight = MakeTubes(MakeLines(MakeStraightLines(20, 31)), 0, 0.8);
   const Tubes bent = MakeTubes(MakeLines(MakeBundle(8, 60, 32)), 32, 0.8);
-  for (const auto [tubes, text] : { std::make_pair(&straight, "straight"), { &bent, "bent" } })
+  const std::pair<const Tubes*, const char*> shapes[] = { { &straight, "straight" },
+    { &bent, "bent" } };
+  for (const auto& [tubes, text] : shapes)
   {
     const std::string name(text);
     TestOpacity(check, *tubes, { 0.4, 0.2, 1.0 }, 0.0, Depth, 0.003, name);
