@@ -44,8 +44,11 @@ struct vtkFourierOpacityStage
   bool NeedsElement = false;
   bool NeedsOpacity = false;
   bool WritesDepth = false;
-  /// Whether it is drawn at reduced resolution.
-  bool IsReduced = false;
+  /// Pixels of a row of the full picture to one of the picture that it draws.
+  int Reduction = 1;
+  /// The same to one of the sums that it adds to or reads; how much of that a fragment covers is
+  /// what the shader finds in fourierCoverage.
+  int SumReduction = 1;
   /// Width of the halos of lines in pixels; 0 where there are none.
   double HaloWidth = 0.0;
   /// How far they lean back, as a part of the range of depths.
@@ -56,8 +59,6 @@ struct vtkFourierOpacityStage
 
   /// First element of the mapper that draws, among those of all.
   int FirstElement = 0;
-  /// Pixels of a row of the full picture to one of a reduced picture.
-  int Reduction = 1;
 
   /// Tells shaders apart that differ; MakeKey() sets it when all else is set.
   std::size_t Key = 0;

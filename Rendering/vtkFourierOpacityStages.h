@@ -24,6 +24,14 @@ struct vtkFourierOpacityStages
   int Series = 0; ///< kind of series, as in glsl/vtkFourierOpacity.glsl
   int Sums = 0;   ///< number of sums
   int Subset = 1;
+  /// Pixels of a row of the full picture to one of the sums of importance and their bounds of
+  /// depth, of the sums of optical depth, and of the widened bounds.
+  int ImportanceReduction = 1;
+  int DepthReduction = 1;
+  int WidenedReduction = 1;
+  bool HasTotals = false;     ///< the optical depth of each pixel is summed apart
+  bool HasHalfFloats = false; ///< sums but the first one are half floats
+  bool HasHalfColors = false; ///< and so are sums of colours
   bool Exact = false;    ///< importance is summed exactly
   bool HasSums = true;   ///< colours are blended by sums of optical depth
   bool HasLists = false; ///< colours are blended by fragment lists
@@ -70,6 +78,8 @@ private:
   vtkFourierOpacityStage BeginStage(vtkFourierOpacityStage::KindType kind) const;
   std::string DiscardOpaque() const;
   std::string FindDepth() const;
+  /// The same at the resolution of the sums, without what is hidden.
+  std::string FindReducedDepth() const;
 };
 
 #endif

@@ -162,6 +162,21 @@ public:
 
   ///@{
   /**
+   * Optical depth is summed for one of so many pixels of a row and of a column, 1 to 8. Default 1.
+   */
+  virtual void SetDepthReduction(int reduction);
+  vtkGetMacro(DepthReduction, int);
+  ///@}
+
+  vtkSetMacro(HalfFloats, bool);
+  vtkGetMacro(HalfFloats, bool);
+  vtkBooleanMacro(HalfFloats, bool);
+  vtkSetMacro(HalfColors, bool);
+  vtkGetMacro(HalfColors, bool);
+  vtkBooleanMacro(HalfColors, bool);
+
+  ///@{
+  /**
    * How fragments are blended (BlendingType). Default Fourier. Another value is an error.
    */
   virtual void SetBlending(int blending);
@@ -266,6 +281,9 @@ protected:
   int NumberOfBands = 5;
   int Subset = 1;
   int ImportanceReduction = 2;
+  int DepthReduction = 1;
+  bool HalfFloats = false;
+  bool HalfColors = false;
   int Blending = Fourier;
   int Importance = SeriesImportance;
   int DepthScale = LinearDepth;

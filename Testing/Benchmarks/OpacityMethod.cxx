@@ -116,6 +116,9 @@ void OpacityMethod::SetOptimization(const BenchmarkOptions& options)
     from.DepthScale == "logarithmic" ? O::LogarithmicDepth : O::LinearDepth);
   optimization->SetTightDepth(from.TightDepth);
   optimization->SetOpaqueThreshold(from.OpaqueThreshold);
+  optimization->SetDepthReduction(from.DepthReduction);
+  optimization->SetHalfFloats(from.HalfFloats);
+  optimization->SetHalfColors(from.HalfColors);
   optimization->SetImportanceReduction(
     this->ExactReduction > 0 ? this->ExactReduction : from.ImportanceReduction);
   optimization->SetMaximumListMemory(
