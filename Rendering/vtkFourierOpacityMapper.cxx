@@ -448,7 +448,7 @@ void vtkFourierOpacityMapper::ReplaceShaderValues(
   {
     vtkFourierOpacityShader::Insert(shaders, *this->Internals->Stage,
       this->Internals->Vertices.GetElements() != nullptr, HasLateOpacity(actor),
-      this->HasHalo(actor));
+      this->IsOfPoints(*this->LastBoundBO, actor), this->HasHalo(actor));
   }
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
 }
@@ -496,13 +496,19 @@ double vtkFourierOpacityMapper::GetReducedSize(double size)
 }
 
 //------------------------------------------------------------------------------
+bool vtkFourierOpacityMapper::IsOfPoints(const vtkOpenGLHelper& cellBO, vtkActor* actor)
+{
+  return &cellBO == &this->Primitives[PrimitivePoints] ||
+    actor->GetProperty()->GetRepresentation() == VTK_POINTS;
+}
+
+//------------------------------------------------------------------------------
 float vtkFourierOpacityMapper::GetCoverage(vtkOpenGLHelper& cellBO, vtkActor* actor)
 {
   const vtkFourierOpacityStage& stage = *this->Internals->Stage;
   vtkProperty* property = actor->GetProperty();
   const int representation = property->GetRepresentation();
-  const bool isPoints =
-    &cellBO == &this->Primitives[PrimitivePoints] || representation == VTK_POINTS;
+  const bool isPoints = this->IsOfPoints(cellBO, actor);
   const bool isLines =
     &cellBO == &this->Primitives[PrimitiveLines] || representation == VTK_WIREFRAME;
   const double line = property->GetLineWidth() + (this->HasHalo(actor) ? 2.0 * stage.HaloWidth : 0);

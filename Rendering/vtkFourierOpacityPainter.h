@@ -65,7 +65,7 @@ public:
 
   /// The picture: colour, not multiplied by opacity, and depth from 0 to 1.
   vtkTextureObject* GetColor() const { return this->Steps.Targets.Color; }
-  vtkTextureObject* GetDepth() const { return this->Steps.Targets.Depth; }
+  vtkTextureObject* GetDepth() { return this->Steps.GetPictureDepth(); }
 
   /**
    * Describe how a selection draws an item, and make its opacities readable until EndSelection().

@@ -44,6 +44,9 @@ struct vtkFourierOpacityStage
   bool NeedsElement = false;
   bool NeedsOpacity = false;
   bool WritesDepth = false;
+  /// Smallest opacity of what is drawn, as text of GLSL; empty where all is drawn. Points of less
+  /// are left out before they are made fragments of.
+  std::string LeastOpacity;
   /// Pixels of a row of the full picture to one of the picture that it draws.
   int Reduction = 1;
   /// The same to one of the sums that it adds to or reads; how much of that a fragment covers is
@@ -64,8 +67,9 @@ struct vtkFourierOpacityStage
   std::size_t Key = 0;
   void MakeKey()
   {
-    this->Key = std::hash<std::string>()(std::to_string(this->Kind) +
-      (this->HaloWidth > 0.0 ? "halo" : "") + this->Extensions + this->Declarations + this->Code);
+    this->Key =
+      std::hash<std::string>()(std::to_string(this->Kind) + (this->HaloWidth > 0.0 ? "halo" : "") +
+        this->LeastOpacity + this->Extensions + this->Declarations + this->Code);
   }
 };
 

@@ -66,7 +66,6 @@ vtkFourierOpacityStages::vtkFourierOpacityStages(
       this->DepthReduction = optimization->GetDepthReduction();
       this->HasTotals = this->DepthReduction > 1;
       this->HasHalfFloats = optimization->GetHalfFloats();
-      this->HasHalfColors = optimization->GetHalfColors();
       this->HasOpaqueLayer = optimization->GetOpaqueThreshold() <= 0.9999;
       // Without that layer nothing is left to it.
       if (this->HasOpaqueLayer)
@@ -143,7 +142,8 @@ std::string vtkFourierOpacityStages::GetDeclarations(bool readsSums) const
 //------------------------------------------------------------------------------
 std::string vtkFourierOpacityStages::WriteSums(const Outputs& outputs) const
 {
-  const std::vector<int> components = vtkFourierOpacityTargets::GetComponents(this->Sums, this->HasHalfFloats);
+  const std::vector<int> components =
+    vtkFourierOpacityTargets::GetComponents(this->Sums, this->HasHalfFloats);
   std::string text;
   int target = 0;
   int sum = 0;
@@ -287,8 +287,9 @@ vtkFourierOpacityStage vtkFourierOpacityStages::DrawOpaqueLayer() const
 {
   vtkFourierOpacityStage stage = this->BeginStage(vtkFourierOpacityStage::OpaqueLayer);
   stage.WritesDepth = true;
+  stage.LeastOpacity = Number(this->OpaqueThreshold);
   stage.Declarations = this->HaloWidth > 0.0 ? this->GetDeclarations(false) : std::string();
-  stage.Code = "  if (fourierOpacityVSOutput * %OPACITY < " + Number(this->OpaqueThreshold) +
+  stage.Code = "  if (fourierOpacityVSOutput * %OPACITY < " + stage.LeastOpacity +
     ")\n  {\n    discard;\n  }\n"
     "  gl_FragData[0] = vec4(%COLOR, 1.0);\n";
   return stage;
@@ -329,7 +330,8 @@ vtkFourierOpacityStage vtkFourierOpacityStages::AddColors() const
   if (this->HasSums)
   {
     const bool paper = this->Blending == vtkOpacityOptimization::PaperFourier;
-    const std::string covered = this->DepthReduction > 1 ? "fourierCoverage * fourierTau" : "fourierTau";
+    const std::string covered =
+      this->DepthReduction > 1 ? "fourierCoverage * fourierTau" : "fourierTau";
     const std::string own = this->Subset > 1
       ? "(fourierIsInSubset(fourierElementVSOutput) ? float(" + std::to_string(this->Subset) +
         ") * " + covered + " : 0.0)"
@@ -464,8 +466,8 @@ std::string vtkFourierOpacityStages::Finish(bool multiplied) const
     (this->HasBounds ? // Half floats are exact to 2^-10 of the value: what is just in front of
                        // something opaque must not come to lie behind it.
         "  float near = texelFetch(fourierBounds, pixel / FourierWidenedReduction, 0).r * 1.001;\n"
-        "  gl_FragData[1] = vec4(fourierBufferDepth(max(1.0 - near, 0.0)), 0.0, 0.0, 0.0);\n"
-                     : "  gl_FragData[1] = vec4(fourierBufferDepth(0.0), 0.0, 0.0, 0.0);\n") +
+        "  gl_FragDepth = fourierBufferDepth(max(1.0 - near, 0.0));\n"
+                     : "  gl_FragDepth = fourierBufferDepth(0.0);\n") +
     "}\n";
 }
 
@@ -484,7 +486,7 @@ std::string vtkFourierOpacityStages::ShowMean() const
     "  vec4 mean = fourierMeanFactor * texelFetch(fourierColors, pixel, 0);\n"
     "  gl_FragData[0] = mean.a > 0.0 ? vec4(mean.rgb / mean.a, mean.a) : vec4(0.0);\n"
     // Bounds of the depth are those of one picture only: all is at the nearest depth.
-    "  gl_FragData[1] = vec4(fourierBufferDepth(0.0), 0.0, 0.0, 0.0);\n"
+    "  gl_FragDepth = fourierBufferDepth(0.0);\n"
     "}\n";
 }
 

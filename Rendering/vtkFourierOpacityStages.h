@@ -30,11 +30,10 @@ struct vtkFourierOpacityStages
   int DepthReduction = 1;
   int WidenedReduction = 1;
   bool HasTotals = false;     ///< the optical depth of each pixel is summed apart
-  bool HasHalfFloats = false; ///< sums but the first one are half floats
-  bool HasHalfColors = false; ///< and so are sums of colours
-  bool Exact = false;    ///< importance is summed exactly
-  bool HasSums = true;   ///< colours are blended by sums of optical depth
-  bool HasLists = false; ///< colours are blended by fragment lists
+  bool HasHalfFloats = false; ///< colours and sums but the first one are half floats
+  bool Exact = false;         ///< importance is summed exactly
+  bool HasSums = true;        ///< colours are blended by sums of optical depth
+  bool HasLists = false;      ///< colours are blended by fragment lists
   bool HasBounds = false;
   bool HasOpaqueLayer = false;
   double HaloWidth = 0.0;

@@ -65,7 +65,6 @@ std::string vtkFourierOpacitySteps::Prepare(vtkFourierOpacityFrame& frame)
   // The sums of importance have the same place.
   reduce(std::min(frame.Stages.ImportanceReduction, frame.Stages.DepthReduction), layout.SumsSize);
   layout.HasHalfFloats = frame.Stages.HasHalfFloats;
-  layout.HasHalfColors = frame.Stages.HasHalfColors;
   layout.HasTotals = frame.Stages.HasTotals;
   layout.HasBounds = frame.Stages.HasBounds;
   reduce(frame.Stages.ImportanceReduction, layout.BoundsSize);
@@ -77,11 +76,12 @@ std::string vtkFourierOpacitySteps::Prepare(vtkFourierOpacityFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFourierOpacitySteps::UploadValues(vtkOpenGLRenderWindow* window,
-  const std::vector<float>& values, vtkLineSetsBufferTexture& buffer, unsigned int format)
+std::string vtkFourierOpacitySteps::UploadValues(
+  vtkOpenGLRenderWindow* window, const std::vector<float>& values, unsigned int format)
 {
   const int type = format == GL_R32F ? VTK_FLOAT : VTK_UNSIGNED_INT;
-  return buffer.Upload(window, values.data(), values.size(), sizeof(float), format, 1, type)
+  return this->Opacities.Upload(
+           window, values.data(), values.size(), sizeof(float), format, 1, type)
     ? std::string()
     : "There is no memory on the graphics device for the opacities of " +
       std::to_string(values.size()) + " segments.";
@@ -154,13 +154,13 @@ std::string vtkFourierOpacitySteps::FindOpacities(vtkFourierOpacityFrame& frame)
   values.assign(
     static_cast<std::size_t>((last >> frame.ElementShift) + 1), vtkFourierOpacityElements::NotSeen);
   // Floats that are not negative are in the order of their bits.
-  std::string error = this->UploadValues(frame.Window, values, this->Smallest, GL_R32UI);
+  std::string error = this->UploadValues(frame.Window, values, GL_R32UI);
   if (!error.empty())
   {
     return error;
   }
   const vtkLineSetsScopedState::SavedImageUnit savedUnit(vtkFourierOpacityFrame::SmallestUnit);
-  glBindImageTexture(vtkFourierOpacityFrame::SmallestUnit, this->Smallest.GetHandle(), 0, GL_FALSE,
+  glBindImageTexture(vtkFourierOpacityFrame::SmallestUnit, this->Opacities.GetHandle(), 0, GL_FALSE,
     0, GL_READ_WRITE, GL_R32UI);
   frame.Textures.Add("fourierScene", frame.Scene);
   if (frame.Stages.Exact)
@@ -192,7 +192,7 @@ std::string vtkFourierOpacitySteps::FindOpacities(vtkFourierOpacityFrame& frame)
   {
     return error;
   }
-  this->Smallest.Download(values.data(), values.size() * sizeof(float));
+  this->Opacities.Download(values.data(), values.size() * sizeof(float));
   frame.Elements.Update(
     values, frame.ElementShift, frame.Optimization->GetSmoothingIterations(), frame.Blend);
   return this->UploadOpacities(frame.Window, frame.Elements);
@@ -206,7 +206,7 @@ std::string vtkFourierOpacitySteps::UploadOpacities(
   const int shift = GetElementShift(window, elements);
   if (shift == 0 && !opacities.empty())
   {
-    return this->UploadValues(window, opacities, this->Opacities, GL_R32F);
+    return this->UploadValues(window, opacities, GL_R32F);
   }
   std::vector<float> shared((opacities.size() >> shift) + 1, 1.0f);
   for (std::size_t i = 0; i < opacities.size(); ++i)
@@ -214,7 +214,7 @@ std::string vtkFourierOpacitySteps::UploadOpacities(
     float& value = shared[i >> shift];
     value = std::min(value, opacities[i]);
   }
-  return this->UploadValues(window, shared, this->Opacities, GL_R32F);
+  return this->UploadValues(window, shared, GL_R32F);
 }
 
 //------------------------------------------------------------------------------
@@ -422,6 +422,12 @@ std::string vtkFourierOpacitySteps::Finish(vtkFourierOpacityFrame& frame)
 }
 
 //------------------------------------------------------------------------------
+void vtkFourierOpacitySteps::BindPicture()
+{
+  this->Targets.Bind({ this->Targets.Color }, this->SceneDepth.GetTexture());
+}
+
+//------------------------------------------------------------------------------
 std::string vtkFourierOpacitySteps::MakePicture(vtkFourierOpacityFrame& frame, const int origin[2])
 {
   frame.Scene = this->SceneDepth.Copy(frame.Window, origin, frame.Now.Size[0], frame.Now.Size[1]);
@@ -464,8 +470,7 @@ std::string vtkFourierOpacitySteps::MakePicture(vtkFourierOpacityFrame& frame, c
 vtkIdType vtkFourierOpacitySteps::GetNumberOfBytes() const
 {
   return this->Targets.GetNumberOfBytes() + this->SceneDepth.GetNumberOfBytes() +
-    static_cast<vtkIdType>(this->Smallest.GetNumberOfBytes() + this->Opacities.GetNumberOfBytes()) +
-    this->Lists.GetNumberOfBytes();
+    static_cast<vtkIdType>(this->Opacities.GetNumberOfBytes()) + this->Lists.GetNumberOfBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -473,7 +478,6 @@ void vtkFourierOpacitySteps::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Targets.ReleaseGraphicsResources(window);
   this->SceneDepth.ReleaseGraphicsResources(window);
-  this->Smallest.Release(window);
   this->Opacities.Release(window);
   this->Lists.ReleaseGraphicsResources(window);
 }

@@ -56,8 +56,7 @@ bool Make(
 {
   const auto width = static_cast<unsigned int>(size[0]);
   const auto height = static_cast<unsigned int>(size[1]);
-  if (texture->GetHandle() != 0 &&
-    (texture->GetWidth() != width || texture->GetHeight() != height))
+  if (texture->GetHandle() != 0 && (texture->GetWidth() != width || texture->GetHeight() != height))
   {
     texture->ReleaseGraphicsResources(window);
   }
@@ -133,21 +132,19 @@ std::string vtkFourierOpacityTargets::Prepare(vtkOpenGLRenderWindow* window, con
   bool made = true;
   for (std::size_t i = 0; i < components.size(); ++i)
   {
-    // All else is held against the first sum, the total.
+    // The first sum is the optical depth of the pixel.
     const unsigned int* formats = layout.HasHalfFloats && i > 0 ? HalfFormats : FloatFormats;
-    made =
-      made && this->Keep(window, this->Sums[i], true, layout.SumsSize, formats[components[i]]);
+    made = made && this->Keep(window, this->Sums[i], true, layout.SumsSize, formats[components[i]]);
   }
   const bool bounds = layout.HasBounds;
   made = made && this->Keep(window, this->Bounds, bounds, layout.BoundsSize, GL_RG16F) &&
     this->Keep(window, this->Widened, bounds, layout.WidenedSize, GL_RG16F) &&
-    this->Keep(window, this->Colors, true, layout.Size,
-      layout.HasHalfColors ? GL_RGBA16F : GL_RGBA32F) &&
+    this->Keep(
+      window, this->Colors, true, layout.Size, layout.HasHalfFloats ? GL_RGBA16F : GL_RGBA32F) &&
     this->Keep(window, this->Counts, layout.HasCounts, layout.Size, GL_RG32F) &&
     this->Keep(window, this->Totals, layout.HasTotals, layout.Size, GL_R32F) &&
     this->Keep(window, this->Opaque, layout.HasOpaqueLayer, layout.Size, GL_RGBA8) &&
-    this->Keep(window, this->Color, layout.HasPicture, layout.Size, GL_RGBA8) &&
-    this->Keep(window, this->Depth, layout.HasPicture, layout.Size, GL_R32F);
+    this->Keep(window, this->Color, layout.HasPicture, layout.Size, GL_RGBA8);
   if (!made)
   {
     this->ReleaseGraphicsResources(window);

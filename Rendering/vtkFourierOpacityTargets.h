@@ -32,18 +32,17 @@ public:
 
   struct Layout
   {
-    int Size[2] = { 0, 0 };         ///< of the picture
-    int Sums = 0;                   ///< number of sums per pixel
-    int SumsSize[2] = { 0, 0 };     ///< pixels that have sums
-    bool HasBounds = false;         ///< of depth
+    int Size[2] = { 0, 0 };     ///< of the picture
+    int Sums = 0;               ///< number of sums per pixel
+    int SumsSize[2] = { 0, 0 }; ///< pixels that have sums
+    bool HasBounds = false;     ///< of depth
     int BoundsSize[2] = { 0, 0 };
     int WidenedSize[2] = { 0, 0 };
-    bool HasHalfFloats = false;     ///< of the sums but the first one
-    bool HasHalfColors = false;     ///< sums of colours are half floats
-    bool HasTotals = false;         ///< optical depth of each pixel, apart from the sums
-    bool HasCounts = false; ///< number and optical depth of fragments (weighted ways)
+    bool HasHalfFloats = false; ///< colours and sums but the first one
+    bool HasTotals = false;     ///< optical depth of each pixel, apart from the sums
+    bool HasCounts = false;     ///< number and optical depth of fragments (weighted ways)
     bool HasOpaqueLayer = false;
-    bool HasPicture = false; ///< colour and depth of the result
+    bool HasPicture = false; ///< colour of the result
   };
 
   /// Components of the textures of so many sums: 4, 4, ..., 2, 1. Where half floats hold all but
@@ -61,7 +60,6 @@ public:
   vtkNew<vtkTextureObject> Totals; ///< optical depth of each pixel, where sums are reduced
   vtkNew<vtkTextureObject> Opaque;
   vtkNew<vtkTextureObject> Color;
-  vtkNew<vtkTextureObject> Depth;
 
   /**
    * Draw to textures, with the scene's depth for depth tests or without. The framebuffer stays

@@ -135,7 +135,6 @@ void vtkOpacityOptimization::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ImportanceReduction: " << this->ImportanceReduction << "\n";
   os << indent << "DepthReduction: " << this->DepthReduction << "\n";
   os << indent << "HalfFloats: " << this->HalfFloats << "\n";
-  os << indent << "HalfColors: " << this->HalfColors << "\n";
   os << indent << "Blending: " << this->Blending << "\n";
   os << indent << "Importance: " << this->Importance << "\n";
   os << indent << "DepthScale: " << this->DepthScale << "\n";

@@ -232,10 +232,6 @@ std::map<std::string, Setter> GetSetters()
       [](O& o, const S& v) {
         o.Opacities.HalfFloats = ToOneName("--half-floats", v, { "on", "off" }) == "on";
       } },
-    { "--half-colors",
-      [](O& o, const S& v) {
-        o.Opacities.HalfColors = ToOneName("--half-colors", v, { "on", "off" }) == "on";
-      } },
     { "--depth-scale",
       [](O& o, const S& v) {
         o.Opacities.DepthScale = ToOneName("--depth-scale", v, { "linear", "logarithmic" });
