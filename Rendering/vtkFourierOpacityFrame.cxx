@@ -79,7 +79,6 @@ void vtkFourierOpacityFrame::SetParameters(vtkShaderProgram* program) const
   {
     program->SetUniform2f("fourierShift", this->Shift);
   }
-  SetIfUsed(program, "fourierReduction", this->Reduction);
   SetIfUsed(program, "fourierElementShift", this->ElementShift);
   SetIfUsed(program, "fourierSmallest", static_cast<int>(SmallestUnit));
   this->Textures.SetParameters(program);
@@ -98,7 +97,6 @@ void vtkFourierOpacityFrame::DrawStage(vtkFourierOpacityStage& stage)
     }
   };
   stage.MakeKey();
-  stage.Reduction = stage.IsReduced ? this->Reduction : 1;
   for (std::size_t i = 0; i < this->Items.size(); ++i)
   {
     stage.FirstElement = static_cast<int>(this->Elements.GetFirstElement(i));

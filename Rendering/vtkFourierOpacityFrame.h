@@ -62,8 +62,9 @@ struct vtkFourierOpacityFrame
   vtkFourierOpacityElements& Elements;
   /// Depth of the scene, and of the opaque layer from when on that is drawn.
   vtkTextureObject* Scene = nullptr;
-  int Reduction = 1;
+  /// Size of the pictures of the importance and of the sums of optical depth.
   int ReducedSize[2] = { 0, 0 };
+  int DepthSize[2] = { 0, 0 };
   /// Textures to which one draw can write.
   int MostTargets = 8;
   /// What part of the way to their new values opacities go.

@@ -448,7 +448,7 @@ void vtkFourierOpacityMapper::ReplaceShaderValues(
   {
     vtkFourierOpacityShader::Insert(shaders, *this->Internals->Stage,
       this->Internals->Vertices.GetElements() != nullptr, HasLateOpacity(actor),
-      this->HasHalo(actor));
+      this->IsOfPoints(*this->LastBoundBO, actor), this->HasHalo(actor));
   }
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
 }
@@ -496,16 +496,24 @@ double vtkFourierOpacityMapper::GetReducedSize(double size)
 }
 
 //------------------------------------------------------------------------------
+bool vtkFourierOpacityMapper::IsOfPoints(const vtkOpenGLHelper& cellBO, vtkActor* actor)
+{
+  return &cellBO == &this->Primitives[PrimitivePoints] ||
+    actor->GetProperty()->GetRepresentation() == VTK_POINTS;
+}
+
+//------------------------------------------------------------------------------
 float vtkFourierOpacityMapper::GetCoverage(vtkOpenGLHelper& cellBO, vtkActor* actor)
 {
+  const vtkFourierOpacityStage& stage = *this->Internals->Stage;
   vtkProperty* property = actor->GetProperty();
   const int representation = property->GetRepresentation();
-  const bool isPoints =
-    &cellBO == &this->Primitives[PrimitivePoints] || representation == VTK_POINTS;
+  const bool isPoints = this->IsOfPoints(cellBO, actor);
   const bool isLines =
     &cellBO == &this->Primitives[PrimitiveLines] || representation == VTK_WIREFRAME;
-  const double size = isPoints ? property->GetPointSize() : property->GetLineWidth();
-  const double part = size / this->Internals->Stage->Reduction / this->GetReducedSize(size);
+  const double line = property->GetLineWidth() + (this->HasHalo(actor) ? 2.0 * stage.HaloWidth : 0);
+  const double size = isPoints ? property->GetPointSize() : line;
+  const double part = std::min(size / stage.SumReduction, 1.0);
   return isPoints ? static_cast<float>(part * part) : isLines ? static_cast<float>(part) : 1.0f;
 }
 
@@ -550,7 +558,7 @@ void vtkFourierOpacityMapper::SetHaloParameters(
   const vtkFourierOpacityStage& stage = *this->Internals->Stage;
   const float line = actor->GetProperty()->GetLineWidth();
   const auto halo = static_cast<float>(stage.HaloWidth);
-  this->SetLineWidth(program, renderer, line + 2.0f * halo);
+  this->SetLineWidth(program, renderer, this->GetReducedSize(line + 2.0f * halo));
   const float extent[3] = { 0.5f * line, halo, static_cast<float>(stage.HaloDepth) };
   program->SetUniform3f("fourierHalo", extent);
   if (program->IsUniformUsed("fourierHaloColor"))

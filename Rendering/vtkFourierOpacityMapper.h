@@ -190,6 +190,7 @@ private:
   /// Sizes of points and widths of lines in pictures of reduced resolution, and what part of its
   /// pixels they should cover.
   double GetReducedSize(double size);
+  bool IsOfPoints(const vtkOpenGLHelper& cellBO, vtkActor* actor);
   float GetCoverage(vtkOpenGLHelper& cellBO, vtkActor* actor);
   bool HasReducedLines(vtkActor* actor);
   static void SetLineWidth(vtkShaderProgram* program, vtkRenderer* renderer, double pixels);

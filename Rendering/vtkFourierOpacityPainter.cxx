@@ -148,13 +148,15 @@ std::string vtkFourierOpacityPainter::Accumulate(View& view, vtkFourierOpacityFr
 //------------------------------------------------------------------------------
 std::string vtkFourierOpacityPainter::Show(View& view, vtkFourierOpacityFrame& frame)
 {
-  frame.State->vtkglDisable(GL_DEPTH_TEST);
-  frame.State->vtkglDepthMask(GL_FALSE);
+  // Depths are written where the test is on.
+  frame.State->SetEnumState(GL_DEPTH_TEST, frame.HasPicture);
+  frame.State->vtkglDepthFunc(GL_ALWAYS);
+  frame.State->vtkglDepthMask(frame.HasPicture);
   if (frame.HasPicture)
   {
     frame.State->vtkglDisable(GL_BLEND);
     frame.State->vtkglViewport(0, 0, frame.Now.Size[0], frame.Now.Size[1]);
-    this->Steps.Targets.Bind({ this->Steps.Targets.Color, this->Steps.Targets.Depth }, nullptr);
+    this->Steps.BindPicture();
   }
   else
   {

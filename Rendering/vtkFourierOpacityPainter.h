@@ -12,8 +12,9 @@
  * 3. These are read back, smoothed over neighbours and in time (vtkFourierOpacityElements), and
  *    given to the vertices.
  * 4. What counts as opaque is drawn as a layer with depth, which hides what is behind it.
- * 5. The rest is drawn twice: optical depth is added to the sums, then colours are added with
- *    their weights, which the sums tell.
+ * 5. The rest is drawn twice: optical depth is added to the sums, which several pixels may share,
+ *    then colours are added with their weights, which the sums tell; where sums are shared, the
+ *    optical depth of each pixel is added up beside its colours.
  * 6. Colours are divided by their weights and laid over the opaque layer.
  *
  * Steps 1 and 2, and step 5, have exact counterparts by vtkFragmentLists.
@@ -65,7 +66,7 @@ public:
 
   /// The picture: colour, not multiplied by opacity, and depth from 0 to 1.
   vtkTextureObject* GetColor() const { return this->Steps.Targets.Color; }
-  vtkTextureObject* GetDepth() const { return this->Steps.Targets.Depth; }
+  vtkTextureObject* GetDepth() { return this->Steps.GetPictureDepth(); }
 
   /**
    * Describe how a selection draws an item, and make its opacities readable until EndSelection().

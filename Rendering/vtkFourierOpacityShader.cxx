@@ -77,8 +77,8 @@ std::string Replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-void InsertElements(
-  vtkLineSetsShaderCode::Shaders& shaders, const vtkFourierOpacityStage& stage, bool hasElements)
+void InsertElements(vtkLineSetsShaderCode::Shaders& shaders, const vtkFourierOpacityStage& stage,
+  bool hasElements, bool isPoints)
 {
   vtkShader* vertex = shaders[vtkShader::Vertex];
   InsertBefore(vertex, "//VTK::Light::Dec",
@@ -97,6 +97,13 @@ void InsertElements(
     InsertBefore(vertex, "//VTK::Light::Impl",
       hasElements ? InterpolatedOpacity
                   : "fourierOpacityVSOutput = fourierElementOpacity(gl_VertexID);\n");
+    if (isPoints && !stage.LeastOpacity.empty())
+    {
+      // Beyond the far plane, so that nothing is made of it.
+      InsertBefore(vertex, "//VTK::Light::Impl",
+        "if (fourierOpacityVSOutput < " + stage.LeastOpacity +
+          ")\n{\n  gl_Position = vec4(0.0, 0.0, 2.0, 1.0);\n}\n");
+    }
     HandOn(shaders, "float", "fourierOpacity");
   }
 }
@@ -120,7 +127,8 @@ const char* GetPlace(const vtkFourierOpacityStage& stage, bool lateOpacity)
 
 //------------------------------------------------------------------------------
 void vtkFourierOpacityShader::Insert(std::map<vtkShader::Type, vtkShader*>& shaders,
-  const vtkFourierOpacityStage& stage, bool hasElements, bool lateOpacity, bool hasHalo)
+  const vtkFourierOpacityStage& stage, bool hasElements, bool lateOpacity, bool isPoints,
+  bool hasHalo)
 {
   vtkShader* vertex = shaders[vtkShader::Vertex];
   vtkShader* fragment = shaders[vtkShader::Fragment];
@@ -137,7 +145,7 @@ void vtkFourierOpacityShader::Insert(std::map<vtkShader::Type, vtkShader*>& shad
   }
   if (stage.NeedsElement || stage.NeedsOpacity)
   {
-    InsertElements(shaders, stage, hasElements);
+    InsertElements(shaders, stage, hasElements, isPoints);
   }
   // Pictures that are accumulated are shifted by parts of a pixel.
   InsertBefore(vertex, "//VTK::Light::Dec", "uniform vec2 fourierShift;\n");

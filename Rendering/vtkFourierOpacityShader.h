@@ -27,10 +27,11 @@ constexpr const char* WeightsAttribute = "fourierWeightsMC";
 /**
  * Put a stage into the shaders before the mapper replaces VTK's tags. Without elements per vertex
  * each vertex is one. lateOpacity: the opacity of a fragment is known only with its colour.
- * hasHalo: what is drawn are lines, made wide by a geometry shader, and the stage gives them halos.
+ * isPoints: what is drawn are points, each of one vertex. hasHalo: what is drawn are lines, made
+ * wide by a geometry shader, and the stage gives them halos.
  */
 void Insert(std::map<vtkShader::Type, vtkShader*>& shaders, const vtkFourierOpacityStage& stage,
-  bool hasElements, bool lateOpacity, bool hasHalo);
+  bool hasElements, bool lateOpacity, bool isPoints, bool hasHalo);
 }
 
 #endif

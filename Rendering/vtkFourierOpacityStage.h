@@ -44,8 +44,14 @@ struct vtkFourierOpacityStage
   bool NeedsElement = false;
   bool NeedsOpacity = false;
   bool WritesDepth = false;
-  /// Whether it is drawn at reduced resolution.
-  bool IsReduced = false;
+  /// Smallest opacity of what is drawn, as text of GLSL; empty where all is drawn. Points of less
+  /// are left out before they are made fragments of.
+  std::string LeastOpacity;
+  /// Pixels of a row of the full picture to one of the picture that it draws.
+  int Reduction = 1;
+  /// The same to one of the sums that it adds to or reads; how much of that a fragment covers is
+  /// what the shader finds in fourierCoverage.
+  int SumReduction = 1;
   /// Width of the halos of lines in pixels; 0 where there are none.
   double HaloWidth = 0.0;
   /// How far they lean back, as a part of the range of depths.
@@ -56,15 +62,14 @@ struct vtkFourierOpacityStage
 
   /// First element of the mapper that draws, among those of all.
   int FirstElement = 0;
-  /// Pixels of a row of the full picture to one of a reduced picture.
-  int Reduction = 1;
 
   /// Tells shaders apart that differ; MakeKey() sets it when all else is set.
   std::size_t Key = 0;
   void MakeKey()
   {
-    this->Key = std::hash<std::string>()(std::to_string(this->Kind) +
-      (this->HaloWidth > 0.0 ? "halo" : "") + this->Extensions + this->Declarations + this->Code);
+    this->Key =
+      std::hash<std::string>()(std::to_string(this->Kind) + (this->HaloWidth > 0.0 ? "halo" : "") +
+        this->LeastOpacity + this->Extensions + this->Declarations + this->Code);
   }
 };
 

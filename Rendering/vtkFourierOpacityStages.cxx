@@ -23,7 +23,8 @@ constexpr const char* Coverage = "uniform float fourierCoverage;\n";
 // Hidden fragments of reduced pictures, which have no depth buffer of their own.
 constexpr const char* DiscardHidden =
   "  ivec2 fourierPixel = ivec2(gl_FragCoord.xy);\n"
-  "  if (gl_FragCoord.z > texelFetch(fourierScene, fourierFullPixel(fourierPixel), 0).r)\n"
+  "  if (gl_FragCoord.z > texelFetch(fourierScene,\n"
+  "    fourierFullPixel(fourierPixel, FourierReduction), 0).r)\n"
   "  {\n"
   "    discard;\n"
   "  }\n"
@@ -51,6 +52,7 @@ vtkFourierOpacityStages::vtkFourierOpacityStages(
   : Blending(optimization->GetBlending())
   , Sums(2 * optimization->GetNumberOfBands() + 1)
   , Subset(optimization->GetSubset())
+  , ImportanceReduction(optimization->GetImportanceReduction())
   , Exact(optimization->GetImportance() == vtkOpacityOptimization::ExactImportance)
   , HaloWidth(optimization->GetHaloWidth())
   , HaloDepth(optimization->GetHaloDepth())
@@ -61,6 +63,9 @@ vtkFourierOpacityStages::vtkFourierOpacityStages(
   {
     case vtkOpacityOptimization::Fourier:
       this->HasBounds = optimization->GetTightDepth();
+      this->DepthReduction = optimization->GetDepthReduction();
+      this->HasTotals = this->DepthReduction > 1;
+      this->HasHalfFloats = optimization->GetHalfFloats();
       this->HasOpaqueLayer = optimization->GetOpaqueThreshold() <= 0.9999;
       // Without that layer nothing is left to it.
       if (this->HasOpaqueLayer)
@@ -79,6 +84,9 @@ vtkFourierOpacityStages::vtkFourierOpacityStages(
       this->HasLists = this->Blending == vtkOpacityOptimization::FragmentLists;
       break;
   }
+  // One range of depths holds for all that shares a sum.
+  this->WidenedReduction =
+    this->DepthReduction > 1 ? this->DepthReduction : this->ImportanceReduction;
 }
 
 //------------------------------------------------------------------------------
@@ -88,7 +96,10 @@ std::string vtkFourierOpacityStages::GetDeclarations(bool readsSums) const
                      "#define LS_OUT(T) out T\n"
                      "const int FourierSeries = " +
     std::to_string(this->Series) + ";\nconst int FourierCount = " + std::to_string(this->Sums) +
-    ";\nconst bool FourierLogarithmic = " + (this->IsLogarithmic ? "true" : "false") + ";\n";
+    ";\nconst bool FourierLogarithmic = " + (this->IsLogarithmic ? "true" : "false") +
+    ";\nconst int FourierReduction = " + std::to_string(this->ImportanceReduction) +
+    ";\nconst int FourierDepthReduction = " + std::to_string(this->DepthReduction) +
+    ";\nconst int FourierWidenedReduction = " + std::to_string(this->WidenedReduction) + ";\n";
   if (readsSums)
   {
     text += "float fourierFetched[FourierCount];\n"
@@ -96,7 +107,7 @@ std::string vtkFourierOpacityStages::GetDeclarations(bool readsSums) const
     std::string fetch = "void fourierFetch(ivec2 pixel)\n{\n  vec4 texel;\n";
     int sum = 0;
     int texture = 0;
-    for (int components : vtkFourierOpacityTargets::GetComponents(this->Sums))
+    for (int components : vtkFourierOpacityTargets::GetComponents(this->Sums, this->HasHalfFloats))
     {
       const std::string name = "fourierSums" + std::to_string(texture++);
       text += "uniform sampler2D " + name + ";\n";
@@ -120,10 +131,9 @@ std::string vtkFourierOpacityStages::GetDeclarations(bool readsSums) const
     "uniform sampler2D fourierScene;\n"
     "uniform sampler2D fourierBounds;\n"
     "uniform vec4 fourierWeights;\n"
-    // Depth among what the pixel shows.
-    "float fourierPixelDepth(float d)\n"
+    // Depth among what the pixel of the bounds shows.
+    "float fourierPixelDepth(float d, vec2 bounds)\n"
     "{\n"
-    "  vec2 bounds = texelFetch(fourierBounds, ivec2(gl_FragCoord.xy) / fourierReduction, 0).rg;\n"
     "  float low = 1.0 - bounds.r;\n"
     "  return bounds.g > low ? clamp((d - low) / (bounds.g - low), 0.0, 1.0) : 0.5;\n"
     "}\n";
@@ -132,7 +142,8 @@ std::string vtkFourierOpacityStages::GetDeclarations(bool readsSums) const
 //------------------------------------------------------------------------------
 std::string vtkFourierOpacityStages::WriteSums(const Outputs& outputs) const
 {
-  const std::vector<int> components = vtkFourierOpacityTargets::GetComponents(this->Sums);
+  const std::vector<int> components =
+    vtkFourierOpacityTargets::GetComponents(this->Sums, this->HasHalfFloats);
   std::string text;
   int target = 0;
   int sum = 0;
@@ -161,7 +172,8 @@ vtkFourierOpacityStage vtkFourierOpacityStages::SumImportance(const Outputs& out
   stage.NeedsImportance = true;
   stage.NeedsElement = this->Subset > 1;
   stage.Declarations = this->GetDeclarations(false) + Coverage;
-  stage.IsReduced = true;
+  stage.Reduction = this->ImportanceReduction;
+  stage.SumReduction = this->ImportanceReduction;
   stage.Code = DiscardHidden;
   if (this->Subset > 1)
   {
@@ -192,7 +204,8 @@ vtkFourierOpacityStage vtkFourierOpacityStages::FindOpacities() const
   stage.NeedsImportance = true;
   stage.NeedsElement = true;
   stage.Extensions = vtkFragmentLists::GetExtensionSource();
-  stage.IsReduced = true;
+  stage.Reduction = this->ImportanceReduction;
+  stage.SumReduction = this->ImportanceReduction;
   stage.Declarations = this->GetDeclarations(true) + Coverage +
     "layout(r32ui) uniform uimageBuffer fourierSmallest;\n";
   const bool paper = this->Blending == vtkOpacityOptimization::PaperFourier;
@@ -244,8 +257,29 @@ std::string vtkFourierOpacityStages::DiscardOpaque() const
 //------------------------------------------------------------------------------
 std::string vtkFourierOpacityStages::FindDepth() const
 {
-  return this->HasBounds ? "  float fourierD = fourierPixelDepth(fourierSceneDepth(%Z));\n"
-                         : "  float fourierD = fourierSceneDepth(%Z);\n";
+  return this->HasBounds
+    ? "  float fourierD = fourierPixelDepth(fourierSceneDepth(%Z), texelFetch(fourierBounds,\n"
+      "    ivec2(gl_FragCoord.xy) / FourierWidenedReduction, 0).rg);\n"
+    : "  float fourierD = fourierSceneDepth(%Z);\n";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkFourierOpacityStages::FindReducedDepth() const
+{
+  // What none of the pixels that share a sum shows does not count. Half floats are exact to 2^-11.
+  return this->HasBounds
+    ? "  float fourierD = fourierSceneDepth(%Z);\n"
+      "  vec2 fourierLimits = texelFetch(fourierBounds, ivec2(gl_FragCoord.xy), 0).rg;\n"
+      "  if (fourierD > fourierLimits.g * 1.001)\n"
+      "  {\n"
+      "    discard;\n"
+      "  }\n"
+      "  fourierD = fourierPixelDepth(fourierD, fourierLimits);\n"
+    : "  if (%Z > fourierFarthest(fourierScene, ivec2(gl_FragCoord.xy), FourierDepthReduction))\n"
+      "  {\n"
+      "    discard;\n"
+      "  }\n"
+      "  float fourierD = fourierSceneDepth(%Z);\n";
 }
 
 //------------------------------------------------------------------------------
@@ -253,8 +287,9 @@ vtkFourierOpacityStage vtkFourierOpacityStages::DrawOpaqueLayer() const
 {
   vtkFourierOpacityStage stage = this->BeginStage(vtkFourierOpacityStage::OpaqueLayer);
   stage.WritesDepth = true;
+  stage.LeastOpacity = Number(this->OpaqueThreshold);
   stage.Declarations = this->HaloWidth > 0.0 ? this->GetDeclarations(false) : std::string();
-  stage.Code = "  if (fourierOpacityVSOutput * %OPACITY < " + Number(this->OpaqueThreshold) +
+  stage.Code = "  if (fourierOpacityVSOutput * %OPACITY < " + stage.LeastOpacity +
     ")\n  {\n    discard;\n  }\n"
     "  gl_FragData[0] = vec4(%COLOR, 1.0);\n";
   return stage;
@@ -265,17 +300,20 @@ vtkFourierOpacityStage vtkFourierOpacityStages::SumOpticalDepth(const Outputs& o
 {
   vtkFourierOpacityStage stage = this->BeginStage(vtkFourierOpacityStage::OpticalDepth);
   stage.NeedsElement = this->Subset > 1;
-  stage.Declarations = this->GetDeclarations(false);
+  stage.Declarations = this->GetDeclarations(false) + Coverage;
+  stage.Reduction = this->DepthReduction;
+  stage.SumReduction = this->DepthReduction;
   stage.Code =
     "  float fourierAlpha = fourierOpacityVSOutput * %OPACITY;\n" + this->DiscardOpaque();
   if (this->Subset > 1)
   {
     stage.Code += "  if (!fourierIsInSubset(fourierElementVSOutput))\n  {\n    discard;\n  }\n";
   }
-  stage.Code += this->FindDepth() +
+  stage.Code += (this->DepthReduction > 1 ? this->FindReducedDepth() : this->FindDepth()) +
     "  FourierTerms terms = fourierTerms(fourierD);\n"
     "  float fourierValue = " +
-    Number(static_cast<float>(this->Subset)) + " * opticalDepth(fourierAlpha);\n" +
+    Number(static_cast<float>(this->Subset)) +
+    (this->DepthReduction > 1 ? " * fourierCoverage" : "") + " * opticalDepth(fourierAlpha);\n" +
     this->WriteSums(outputs) + "  return;\n";
   return stage;
 }
@@ -285,18 +323,21 @@ vtkFourierOpacityStage vtkFourierOpacityStages::AddColors() const
 {
   vtkFourierOpacityStage stage = this->BeginStage(vtkFourierOpacityStage::Colors);
   stage.NeedsElement = this->HasSums && this->Subset > 1;
-  stage.Declarations = this->GetDeclarations(this->HasSums);
+  stage.Declarations = this->GetDeclarations(this->HasSums) + Coverage;
+  stage.SumReduction = this->DepthReduction;
   stage.Code = "  float fourierAlpha = min(fourierOpacityVSOutput * %OPACITY, 0.9999);\n" +
     this->DiscardOpaque();
   if (this->HasSums)
   {
     const bool paper = this->Blending == vtkOpacityOptimization::PaperFourier;
+    const std::string covered =
+      this->DepthReduction > 1 ? "fourierCoverage * fourierTau" : "fourierTau";
     const std::string own = this->Subset > 1
       ? "(fourierIsInSubset(fourierElementVSOutput) ? float(" + std::to_string(this->Subset) +
-        ") * fourierTau : 0.0)"
-      : "fourierTau";
+        ") * " + covered + " : 0.0)"
+      : covered;
     stage.Code += this->FindDepth() +
-      "  fourierFetch(ivec2(gl_FragCoord.xy));\n"
+      "  fourierFetch(ivec2(gl_FragCoord.xy) / FourierDepthReduction);\n"
       "  float fourierShare;\n"
       "  float fourierHere = fourierSum(fourierD, fourierShare);\n"
       "  float fourierTau = opticalDepth(fourierAlpha);\n"
@@ -320,7 +361,11 @@ vtkFourierOpacityStage vtkFourierOpacityStages::AddColors() const
     stage.Code += "  float fourierWeight = fourierAlpha;\n";
   }
   stage.Code += "  gl_FragData[0] = vec4(%COLOR * fourierWeight, fourierWeight);\n";
-  if (!this->HasSums)
+  if (this->HasTotals)
+  {
+    stage.Code += "  gl_FragData[1] = vec4(fourierTau, 0.0, 0.0, 0.0);\n";
+  }
+  else if (!this->HasSums)
   {
     stage.Code += "  gl_FragData[1] = vec4(1.0, opticalDepth(fourierAlpha), 0.0, 0.0);\n";
   }
@@ -348,22 +393,22 @@ std::string vtkFourierOpacityStages::Widen() const
     "void main()\n"
     "{\n"
     "  ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
-    "  ivec2 last = (fourierSize + fourierReduction - 1) / fourierReduction - 1;\n"
+    "  ivec2 last = (fourierSize + FourierReduction - 1) / FourierReduction - 1;\n"
+    "  ivec2 from = pixel * FourierWidenedReduction / FourierReduction - 1;\n"
+    "  ivec2 to = ((pixel + 1) * FourierWidenedReduction - 1) / FourierReduction + 1;\n"
+    "  from = clamp(from, ivec2(0), last);\n"
+    "  to = clamp(to, ivec2(0), last);\n"
     "  vec2 bounds = vec2(0.0);\n"
-    "  for (int i = 0; i < 9; ++i)\n"
+    "  for (int y = from.y; y <= to.y; ++y)\n"
     "  {\n"
-    "    ivec2 near = clamp(pixel + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last);\n"
-    "    bounds = max(bounds, texelFetch(fourierBounds, near, 0).rg);\n"
+    "    for (int x = from.x; x <= to.x; ++x)\n"
+    "    {\n"
+    "      bounds = max(bounds, texelFetch(fourierBounds, ivec2(x, y), 0).rg);\n"
+    "    }\n"
     "  }\n"
     // Nothing is seen behind the farthest opaque depth.
-    "  float scene = 0.0;\n"
-    "  for (int i = 0; i < fourierReduction * fourierReduction; ++i)\n"
-    "  {\n"
-    "    ivec2 full = pixel * fourierReduction +\n"
-    "      ivec2(i % fourierReduction, i / fourierReduction);\n"
-    "    scene = max(scene, texelFetch(fourierScene, min(full, fourierSize - 1), 0).r);\n"
-    "  }\n"
-    "  bounds.g = min(bounds.g, fourierSceneDepth(scene));\n"
+    "  bounds.g = min(bounds.g, fourierSceneDepth(\n"
+    "    fourierFarthest(fourierScene, pixel, FourierWidenedReduction)));\n"
     "  gl_FragData[0] = vec4(bounds, 0.0, 0.0);\n"
     "}\n";
 }
@@ -372,7 +417,11 @@ std::string vtkFourierOpacityStages::Widen() const
 std::string vtkFourierOpacityStages::Finish(bool multiplied) const
 {
   std::string through;
-  if (this->HasSums)
+  if (this->HasTotals)
+  {
+    through = "  float through = exp(-texelFetch(fourierTotals, pixel, 0).r);\n";
+  }
+  else if (this->HasSums)
   {
     through = "  fourierFetch(pixel);\n  float through = exp(-fourierTotal());\n";
   }
@@ -393,8 +442,9 @@ std::string vtkFourierOpacityStages::Finish(bool multiplied) const
   }
   return "//VTK::System::Dec\n"
          "//VTK::Output::Dec\n" +
-    this->GetDeclarations(this->HasSums) +
+    this->GetDeclarations(this->HasSums && !this->HasTotals) +
     "uniform sampler2D fourierColors;\n"
+    "uniform sampler2D fourierTotals;\n"
     "uniform sampler2D fourierCounts;\n"
     "uniform sampler2D fourierOpaque;\n"
     "uniform ivec2 fourierOrigin;\n"
@@ -415,9 +465,9 @@ std::string vtkFourierOpacityStages::Finish(bool multiplied) const
                 : "  gl_FragData[0] = alpha > 0.0 ? vec4(color / alpha, alpha) : vec4(0.0);\n") +
     (this->HasBounds ? // Half floats are exact to 2^-10 of the value: what is just in front of
                        // something opaque must not come to lie behind it.
-        "  float near = texelFetch(fourierBounds, pixel / fourierReduction, 0).r * 1.001;\n"
-        "  gl_FragData[1] = vec4(fourierBufferDepth(max(1.0 - near, 0.0)), 0.0, 0.0, 0.0);\n"
-                     : "  gl_FragData[1] = vec4(fourierBufferDepth(0.0), 0.0, 0.0, 0.0);\n") +
+        "  float near = texelFetch(fourierBounds, pixel / FourierWidenedReduction, 0).r * 1.001;\n"
+        "  gl_FragDepth = fourierBufferDepth(max(1.0 - near, 0.0));\n"
+                     : "  gl_FragDepth = fourierBufferDepth(0.0);\n") +
     "}\n";
 }
 
@@ -436,7 +486,7 @@ std::string vtkFourierOpacityStages::ShowMean() const
     "  vec4 mean = fourierMeanFactor * texelFetch(fourierColors, pixel, 0);\n"
     "  gl_FragData[0] = mean.a > 0.0 ? vec4(mean.rgb / mean.a, mean.a) : vec4(0.0);\n"
     // Bounds of the depth are those of one picture only: all is at the nearest depth.
-    "  gl_FragData[1] = vec4(fourierBufferDepth(0.0), 0.0, 0.0, 0.0);\n"
+    "  gl_FragDepth = fourierBufferDepth(0.0);\n"
     "}\n";
 }
 
@@ -448,7 +498,8 @@ vtkFourierOpacityStage vtkFourierOpacityStages::ListImportance() const
   stage.NeedsImportance = true;
   stage.NeedsElement = true;
   stage.Extensions = vtkFragmentLists::GetExtensionSource();
-  stage.IsReduced = true;
+  stage.Reduction = this->ImportanceReduction;
+  stage.SumReduction = this->ImportanceReduction;
   stage.Declarations = this->GetDeclarations(false) + Coverage + vtkFragmentLists::GetStoreSource();
   stage.Code = std::string(DiscardHidden) +
     "  storeFragment(fourierPixel, gl_FragCoord.z,\n"

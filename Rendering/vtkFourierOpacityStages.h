@@ -24,9 +24,16 @@ struct vtkFourierOpacityStages
   int Series = 0; ///< kind of series, as in glsl/vtkFourierOpacity.glsl
   int Sums = 0;   ///< number of sums
   int Subset = 1;
-  bool Exact = false;    ///< importance is summed exactly
-  bool HasSums = true;   ///< colours are blended by sums of optical depth
-  bool HasLists = false; ///< colours are blended by fragment lists
+  /// Pixels of a row of the full picture to one of the sums of importance and their bounds of
+  /// depth, of the sums of optical depth, and of the widened bounds.
+  int ImportanceReduction = 1;
+  int DepthReduction = 1;
+  int WidenedReduction = 1;
+  bool HasTotals = false;     ///< the optical depth of each pixel is summed apart
+  bool HasHalfFloats = false; ///< colours and sums but the first one are half floats
+  bool Exact = false;         ///< importance is summed exactly
+  bool HasSums = true;        ///< colours are blended by sums of optical depth
+  bool HasLists = false;      ///< colours are blended by fragment lists
   bool HasBounds = false;
   bool HasOpaqueLayer = false;
   double HaloWidth = 0.0;
@@ -70,6 +77,8 @@ private:
   vtkFourierOpacityStage BeginStage(vtkFourierOpacityStage::KindType kind) const;
   std::string DiscardOpaque() const;
   std::string FindDepth() const;
+  /// The same at the resolution of the sums, without what is hidden.
+  std::string FindReducedDepth() const;
 };
 
 #endif

@@ -49,18 +49,26 @@ std::string vtkFourierOpacitySteps::Prepare(vtkFourierOpacityFrame& frame)
   frame.State->vtkglGetIntegerv(GL_MAX_DRAW_BUFFERS, &draws);
   frame.State->vtkglGetIntegerv(GL_MAX_COLOR_ATTACHMENTS, &attachments);
   frame.MostTargets = std::min(draws, attachments);
-  frame.Reduction = frame.Optimization->GetImportanceReduction();
-  for (int i = 0; i < 2; ++i)
+  const auto reduce = [&frame](int reduction, int size[2])
   {
-    frame.ReducedSize[i] = (frame.Now.Size[i] + frame.Reduction - 1) / frame.Reduction;
-  }
+    for (int i = 0; i < 2; ++i)
+    {
+      size[i] = (frame.Now.Size[i] + reduction - 1) / reduction;
+    }
+  };
 
   vtkFourierOpacityTargets::Layout layout;
-  layout.Width = frame.Now.Size[0];
-  layout.Height = frame.Now.Size[1];
+  reduce(1, layout.Size);
   layout.Sums = frame.Stages.Sums;
-  layout.BoundsWidth = frame.Stages.HasBounds ? frame.ReducedSize[0] : 0;
-  layout.BoundsHeight = frame.Stages.HasBounds ? frame.ReducedSize[1] : 0;
+  reduce(frame.Stages.ImportanceReduction, frame.ReducedSize);
+  reduce(frame.Stages.DepthReduction, frame.DepthSize);
+  // The sums of importance have the same place.
+  reduce(std::min(frame.Stages.ImportanceReduction, frame.Stages.DepthReduction), layout.SumsSize);
+  layout.HasHalfFloats = frame.Stages.HasHalfFloats;
+  layout.HasTotals = frame.Stages.HasTotals;
+  layout.HasBounds = frame.Stages.HasBounds;
+  reduce(frame.Stages.ImportanceReduction, layout.BoundsSize);
+  reduce(frame.Stages.WidenedReduction, layout.WidenedSize);
   layout.HasCounts = !frame.Stages.HasSums && !frame.Stages.HasLists;
   layout.HasOpaqueLayer = frame.Stages.HasOpaqueLayer;
   layout.HasPicture = frame.HasPicture;
@@ -68,11 +76,12 @@ std::string vtkFourierOpacitySteps::Prepare(vtkFourierOpacityFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFourierOpacitySteps::UploadValues(vtkOpenGLRenderWindow* window,
-  const std::vector<float>& values, vtkLineSetsBufferTexture& buffer, unsigned int format)
+std::string vtkFourierOpacitySteps::UploadValues(
+  vtkOpenGLRenderWindow* window, const std::vector<float>& values, unsigned int format)
 {
   const int type = format == GL_R32F ? VTK_FLOAT : VTK_UNSIGNED_INT;
-  return buffer.Upload(window, values.data(), values.size(), sizeof(float), format, 1, type)
+  return this->Opacities.Upload(
+           window, values.data(), values.size(), sizeof(float), format, 1, type)
     ? std::string()
     : "There is no memory on the graphics device for the opacities of " +
       std::to_string(values.size()) + " segments.";
@@ -145,13 +154,13 @@ std::string vtkFourierOpacitySteps::FindOpacities(vtkFourierOpacityFrame& frame)
   values.assign(
     static_cast<std::size_t>((last >> frame.ElementShift) + 1), vtkFourierOpacityElements::NotSeen);
   // Floats that are not negative are in the order of their bits.
-  std::string error = this->UploadValues(frame.Window, values, this->Smallest, GL_R32UI);
+  std::string error = this->UploadValues(frame.Window, values, GL_R32UI);
   if (!error.empty())
   {
     return error;
   }
   const vtkLineSetsScopedState::SavedImageUnit savedUnit(vtkFourierOpacityFrame::SmallestUnit);
-  glBindImageTexture(vtkFourierOpacityFrame::SmallestUnit, this->Smallest.GetHandle(), 0, GL_FALSE,
+  glBindImageTexture(vtkFourierOpacityFrame::SmallestUnit, this->Opacities.GetHandle(), 0, GL_FALSE,
     0, GL_READ_WRITE, GL_R32UI);
   frame.Textures.Add("fourierScene", frame.Scene);
   if (frame.Stages.Exact)
@@ -183,7 +192,7 @@ std::string vtkFourierOpacitySteps::FindOpacities(vtkFourierOpacityFrame& frame)
   {
     return error;
   }
-  this->Smallest.Download(values.data(), values.size() * sizeof(float));
+  this->Opacities.Download(values.data(), values.size() * sizeof(float));
   frame.Elements.Update(
     values, frame.ElementShift, frame.Optimization->GetSmoothingIterations(), frame.Blend);
   return this->UploadOpacities(frame.Window, frame.Elements);
@@ -197,7 +206,7 @@ std::string vtkFourierOpacitySteps::UploadOpacities(
   const int shift = GetElementShift(window, elements);
   if (shift == 0 && !opacities.empty())
   {
-    return this->UploadValues(window, opacities, this->Opacities, GL_R32F);
+    return this->UploadValues(window, opacities, GL_R32F);
   }
   std::vector<float> shared((opacities.size() >> shift) + 1, 1.0f);
   for (std::size_t i = 0; i < opacities.size(); ++i)
@@ -205,7 +214,7 @@ std::string vtkFourierOpacitySteps::UploadOpacities(
     float& value = shared[i >> shift];
     value = std::min(value, opacities[i]);
   }
-  return this->UploadValues(window, shared, this->Opacities, GL_R32F);
+  return this->UploadValues(window, shared, GL_R32F);
 }
 
 //------------------------------------------------------------------------------
@@ -236,7 +245,8 @@ void vtkFourierOpacitySteps::DrawOpaqueLayer(vtkFourierOpacityFrame& frame)
 //------------------------------------------------------------------------------
 std::string vtkFourierOpacitySteps::Widen(vtkFourierOpacityFrame& frame)
 {
-  frame.State->vtkglViewport(0, 0, frame.ReducedSize[0], frame.ReducedSize[1]);
+  frame.State->vtkglViewport(0, 0, static_cast<int>(this->Targets.Widened->GetWidth()),
+    static_cast<int>(this->Targets.Widened->GetHeight()));
   frame.State->vtkglDisable(GL_DEPTH_TEST);
   frame.State->vtkglDisable(GL_BLEND);
   this->Targets.Bind({ this->Targets.Widened }, nullptr);
@@ -250,6 +260,39 @@ std::string vtkFourierOpacitySteps::Widen(vtkFourierOpacityFrame& frame)
 //------------------------------------------------------------------------------
 void vtkFourierOpacitySteps::SumOpticalDepth(vtkFourierOpacityFrame& frame)
 {
+  // Where several pixels share a sum, shaders leave out what none of them shows.
+  const bool isReduced = frame.Stages.DepthReduction > 1;
+  frame.State->vtkglViewport(0, 0, frame.DepthSize[0], frame.DepthSize[1]);
+  frame.State->SetEnumState(GL_DEPTH_TEST, !isReduced);
+  frame.State->vtkglDepthFunc(GL_LEQUAL);
+  frame.State->vtkglDepthMask(GL_FALSE);
+  frame.State->vtkglEnable(GL_BLEND);
+  frame.State->vtkglBlendFunc(GL_ONE, GL_ONE);
+  frame.Textures.Add("fourierOpacities", this->Opacities.GetTexture());
+  if (frame.Stages.HasBounds)
+  {
+    frame.Textures.Add("fourierBounds", this->Targets.Widened);
+  }
+  else if (isReduced)
+  {
+    frame.Textures.Add("fourierScene", frame.Scene);
+  }
+  const int sums = frame.Stages.HasSums ? static_cast<int>(this->Targets.Sums.size()) : 0;
+  for (const auto& outputs : PartOutputs(sums, false, frame.MostTargets))
+  {
+    const auto first = this->Targets.Sums.begin() + outputs.First;
+    this->Targets.Bind(std::vector<vtkTextureObject*>(first, first + outputs.Count),
+      isReduced ? nullptr : frame.Scene);
+    frame.State->vtkglClear(GL_COLOR_BUFFER_BIT);
+    vtkFourierOpacityStage stage = frame.Stages.SumOpticalDepth(outputs);
+    frame.DrawStage(stage);
+  }
+  frame.Textures.Clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacitySteps::AddColors(vtkFourierOpacityFrame& frame)
+{
   frame.State->vtkglViewport(0, 0, frame.Now.Size[0], frame.Now.Size[1]);
   frame.State->vtkglEnable(GL_DEPTH_TEST);
   frame.State->vtkglDepthFunc(GL_LEQUAL);
@@ -261,27 +304,16 @@ void vtkFourierOpacitySteps::SumOpticalDepth(vtkFourierOpacityFrame& frame)
   {
     frame.Textures.Add("fourierBounds", this->Targets.Widened);
   }
-  const int sums = frame.Stages.HasSums ? static_cast<int>(this->Targets.Sums.size()) : 0;
-  for (const auto& outputs : PartOutputs(sums, false, frame.MostTargets))
-  {
-    const auto first = this->Targets.Sums.begin() + outputs.First;
-    this->Targets.Bind(std::vector<vtkTextureObject*>(first, first + outputs.Count), frame.Scene);
-    frame.State->vtkglClear(GL_COLOR_BUFFER_BIT);
-    vtkFourierOpacityStage stage = frame.Stages.SumOpticalDepth(outputs);
-    frame.DrawStage(stage);
-  }
-  // The next stage reads the same textures.
-}
-
-//------------------------------------------------------------------------------
-void vtkFourierOpacitySteps::AddColors(vtkFourierOpacityFrame& frame)
-{
   std::vector<vtkTextureObject*> targets = { this->Targets.Colors };
   if (frame.Stages.HasSums)
   {
     this->AddSumTextures(frame);
   }
-  else
+  if (frame.Stages.HasTotals)
+  {
+    targets.push_back(this->Targets.Totals);
+  }
+  else if (!frame.Stages.HasSums)
   {
     targets.push_back(this->Targets.Counts);
   }
@@ -369,7 +401,11 @@ std::string vtkFourierOpacitySteps::DrawLists(vtkFourierOpacityFrame& frame,
 //------------------------------------------------------------------------------
 std::string vtkFourierOpacitySteps::Finish(vtkFourierOpacityFrame& frame)
 {
-  if (frame.Stages.HasSums)
+  if (frame.Stages.HasTotals)
+  {
+    frame.Textures.Add("fourierTotals", this->Targets.Totals);
+  }
+  else if (frame.Stages.HasSums)
   {
     this->AddSumTextures(frame);
   }
@@ -383,6 +419,12 @@ std::string vtkFourierOpacitySteps::Finish(vtkFourierOpacityFrame& frame)
   std::string error = this->DrawQuad(frame, frame.Stages.Finish(frame.Number >= 0));
   frame.Textures.Clear();
   return error;
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacitySteps::BindPicture()
+{
+  this->Targets.Bind({ this->Targets.Color }, this->SceneDepth.GetTexture());
 }
 
 //------------------------------------------------------------------------------
@@ -428,8 +470,7 @@ std::string vtkFourierOpacitySteps::MakePicture(vtkFourierOpacityFrame& frame, c
 vtkIdType vtkFourierOpacitySteps::GetNumberOfBytes() const
 {
   return this->Targets.GetNumberOfBytes() + this->SceneDepth.GetNumberOfBytes() +
-    static_cast<vtkIdType>(this->Smallest.GetNumberOfBytes() + this->Opacities.GetNumberOfBytes()) +
-    this->Lists.GetNumberOfBytes();
+    static_cast<vtkIdType>(this->Opacities.GetNumberOfBytes()) + this->Lists.GetNumberOfBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -437,7 +478,6 @@ void vtkFourierOpacitySteps::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Targets.ReleaseGraphicsResources(window);
   this->SceneDepth.ReleaseGraphicsResources(window);
-  this->Smallest.Release(window);
   this->Opacities.Release(window);
   this->Lists.ReleaseGraphicsResources(window);
 }

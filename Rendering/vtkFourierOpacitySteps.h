@@ -39,6 +39,11 @@ public:
   /// Draw a quad with a shader.
   std::string DrawQuad(vtkFourierOpacityFrame& frame, const std::string& source);
 
+  /// Draw to the picture: the colour that Targets have, and depths in place of the scene's, which
+  /// are needed no more.
+  void BindPicture();
+  vtkTextureObject* GetPictureDepth() { return this->SceneDepth.GetTexture(); }
+
   vtkFourierOpacityTargets Targets;
 
   /// Make opacities readable, those of the last picture or those of other elements; 2^shift
@@ -59,8 +64,8 @@ private:
   vtkFourierOpacitySteps(const vtkFourierOpacitySteps&) = delete;
   void operator=(const vtkFourierOpacitySteps&) = delete;
 
-  std::string UploadValues(vtkOpenGLRenderWindow* window, const std::vector<float>& values,
-    vtkLineSetsBufferTexture& buffer, unsigned int format);
+  std::string UploadValues(
+    vtkOpenGLRenderWindow* window, const std::vector<float>& values, unsigned int format);
   void AddSumTextures(vtkFourierOpacityFrame& frame);
   void SumImportance(vtkFourierOpacityFrame& frame);
   std::string FindOpacities(vtkFourierOpacityFrame& frame);
@@ -74,7 +79,7 @@ private:
 
   vtkLineSetsSceneDepth SceneDepth;
   vtkFragmentLists Lists;
-  vtkLineSetsBufferTexture Smallest;
+  /// The smallest opacities of elements while they are found; then those that are shown.
   vtkLineSetsBufferTexture Opacities;
   std::vector<float> Values;
   vtkIdType NumberOfDroppedFragments = 0;

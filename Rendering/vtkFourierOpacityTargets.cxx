@@ -13,19 +13,33 @@
 namespace
 {
 const unsigned int FloatFormats[5] = { 0, GL_R32F, GL_RG32F, 0, GL_RGBA32F };
+const unsigned int HalfFormats[5] = { 0, GL_R16F, GL_RG16F, 0, GL_RGBA16F };
 const unsigned int Layouts[5] = { 0, GL_RED, GL_RG, 0, GL_RGBA };
 
-int GetBytesPerTexel(unsigned int format)
+struct Format
+{
+  int Components;
+  int Bytes; ///< per texel
+};
+
+Format GetFormat(unsigned int format)
 {
   switch (format)
   {
     case GL_RGBA32F:
-      return 16;
+      return { 4, 16 };
     case GL_RG32F:
-      return 8;
+      return { 2, 8 };
+    case GL_R32F:
+      return { 1, 4 };
+    case GL_RGBA16F:
+      return { 4, 8 };
+    case GL_RG16F:
+      return { 2, 4 };
+    case GL_R16F:
+      return { 1, 2 };
     default:
-      // One float, two half floats or four bytes.
-      return 4;
+      return { 4, 4 }; // GL_RGBA8
   }
 }
 
@@ -33,7 +47,36 @@ vtkIdType GetBytes(vtkTextureObject* texture, unsigned int format)
 {
   return texture->GetHandle() == 0
     ? 0
-    : static_cast<vtkIdType>(texture->GetWidth()) * texture->GetHeight() * GetBytesPerTexel(format);
+    : static_cast<vtkIdType>(texture->GetWidth()) * texture->GetHeight() * GetFormat(format).Bytes;
+}
+
+// Make a texture, or make it anew with another size; returns whether there was memory.
+bool Make(
+  vtkOpenGLRenderWindow* window, vtkTextureObject* texture, const int size[2], unsigned int format)
+{
+  const auto width = static_cast<unsigned int>(size[0]);
+  const auto height = static_cast<unsigned int>(size[1]);
+  if (texture->GetHandle() != 0 && (texture->GetWidth() != width || texture->GetHeight() != height))
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  if (texture->GetHandle() != 0)
+  {
+    return true;
+  }
+  const int components = GetFormat(format).Components;
+  const bool bytes = format == GL_RGBA8;
+  texture->SetContext(window);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetInternalFormat(format);
+  texture->SetFormat(Layouts[components]);
+  texture->SetDataType(bytes ? GL_UNSIGNED_BYTE : GL_FLOAT);
+  return vtkLineSetsBufferTexture::ForgetGLErrors() &&
+    texture->Allocate2D(width, height, components, bytes ? VTK_UNSIGNED_CHAR : VTK_FLOAT) &&
+    glGetError() == GL_NO_ERROR;
 }
 }
 
@@ -44,12 +87,14 @@ vtkFourierOpacityTargets::vtkFourierOpacityTargets() = default;
 vtkFourierOpacityTargets::~vtkFourierOpacityTargets() = default;
 
 //------------------------------------------------------------------------------
-std::vector<int> vtkFourierOpacityTargets::GetComponents(int sums)
+std::vector<int> vtkFourierOpacityTargets::GetComponents(int sums, bool halfFloats)
 {
-  std::vector<int> components(static_cast<std::size_t>(sums / 4), 4);
+  std::vector<int> components(halfFloats ? 1 : 0, 1);
+  const int rest = halfFloats ? sums - 1 : sums;
+  components.insert(components.end(), static_cast<std::size_t>(rest / 4), 4);
   for (int size : { 2, 1 })
   {
-    if (sums & size)
+    if (rest & size)
     {
       components.push_back(size);
     }
@@ -58,76 +103,55 @@ std::vector<int> vtkFourierOpacityTargets::GetComponents(int sums)
 }
 
 //------------------------------------------------------------------------------
-bool vtkFourierOpacityTargets::Make(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
-  bool wanted, int width, int height, int components, unsigned int format)
+bool vtkFourierOpacityTargets::Keep(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+  bool wanted, const int size[2], unsigned int format)
 {
-  const auto w = static_cast<unsigned int>(width);
-  const auto h = static_cast<unsigned int>(height);
-  if (!wanted ||
-    (texture->GetHandle() != 0 && (texture->GetWidth() != w || texture->GetHeight() != h)))
+  unsigned int& last = this->Formats[texture];
+  if (!wanted || format != last)
   {
     texture->ReleaseGraphicsResources(window);
   }
-  if (!wanted || texture->GetHandle() != 0)
-  {
-    return true;
-  }
-  texture->SetContext(window);
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  texture->SetInternalFormat(format);
-  texture->SetFormat(Layouts[components]);
-  const bool bytes = format == GL_RGBA8;
-  texture->SetDataType(bytes ? GL_UNSIGNED_BYTE : GL_FLOAT);
-  return vtkLineSetsBufferTexture::ForgetGLErrors() &&
-    texture->Allocate2D(w, h, components, bytes ? VTK_UNSIGNED_CHAR : VTK_FLOAT) &&
-    glGetError() == GL_NO_ERROR;
+  last = format;
+  return !wanted || Make(window, texture, size, format);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkFourierOpacityTargets::Prepare(vtkOpenGLRenderWindow* window, const Layout& layout)
 {
-  const int w = layout.Width;
-  const int h = layout.Height;
-  const std::vector<int> components = GetComponents(layout.Sums);
-  if (components != this->Components)
+  const std::vector<int> components = GetComponents(layout.Sums, layout.HasHalfFloats);
+  while (this->Sums.size() > components.size())
   {
-    for (const auto& texture : this->Sums)
-    {
-      texture->ReleaseGraphicsResources(window);
-    }
-    this->Sums.resize(components.size());
-    for (auto& texture : this->Sums)
-    {
-      texture = vtkSmartPointer<vtkTextureObject>::New();
-    }
-    this->Components = components;
+    this->Sums.back()->ReleaseGraphicsResources(window);
+    this->Formats.erase(this->Sums.back());
+    this->Sums.pop_back();
+  }
+  while (this->Sums.size() < components.size())
+  {
+    this->Sums.push_back(vtkSmartPointer<vtkTextureObject>::New());
   }
   bool made = true;
   for (std::size_t i = 0; i < components.size(); ++i)
   {
-    made = made &&
-      this->Make(window, this->Sums[i], true, w, h, components[i], FloatFormats[components[i]]);
+    // The first sum is the optical depth of the pixel.
+    const unsigned int* formats = layout.HasHalfFloats && i > 0 ? HalfFormats : FloatFormats;
+    made = made && this->Keep(window, this->Sums[i], true, layout.SumsSize, formats[components[i]]);
   }
-  const bool bounds = layout.BoundsWidth > 0;
-  made = made &&
-    this->Make(
-      window, this->Bounds, bounds, layout.BoundsWidth, layout.BoundsHeight, 2, GL_RG16F) &&
-    this->Make(
-      window, this->Widened, bounds, layout.BoundsWidth, layout.BoundsHeight, 2, GL_RG16F) &&
-    this->Make(window, this->Colors, true, w, h, 4, GL_RGBA32F) &&
-    this->Make(window, this->Counts, layout.HasCounts, w, h, 2, GL_RG32F) &&
-    this->Make(window, this->Opaque, layout.HasOpaqueLayer, w, h, 4, GL_RGBA8) &&
-    this->Make(window, this->Color, layout.HasPicture, w, h, 4, GL_RGBA8) &&
-    this->Make(window, this->Depth, layout.HasPicture, w, h, 1, GL_R32F);
+  const bool bounds = layout.HasBounds;
+  made = made && this->Keep(window, this->Bounds, bounds, layout.BoundsSize, GL_RG16F) &&
+    this->Keep(window, this->Widened, bounds, layout.WidenedSize, GL_RG16F) &&
+    this->Keep(
+      window, this->Colors, true, layout.Size, layout.HasHalfFloats ? GL_RGBA16F : GL_RGBA32F) &&
+    this->Keep(window, this->Counts, layout.HasCounts, layout.Size, GL_RG32F) &&
+    this->Keep(window, this->Totals, layout.HasTotals, layout.Size, GL_R32F) &&
+    this->Keep(window, this->Opaque, layout.HasOpaqueLayer, layout.Size, GL_RGBA8) &&
+    this->Keep(window, this->Color, layout.HasPicture, layout.Size, GL_RGBA8);
   if (!made)
   {
     this->ReleaseGraphicsResources(window);
-    return "There is no memory on the graphics device for the sums of " + std::to_string(w) +
-      " x " + std::to_string(h) + " pixels with " + std::to_string(layout.Sums) +
-      " sums each: draw a smaller picture or with fewer bands.";
+    return "There is no memory on the graphics device for the sums of " +
+      std::to_string(layout.Size[0]) + " x " + std::to_string(layout.Size[1]) + " pixels with " +
+      std::to_string(layout.Sums) +
+      " sums each: draw a smaller picture, with fewer bands or with a higher DepthReduction.";
   }
   this->Framebuffer->SetContext(window);
   return {};
@@ -161,7 +185,7 @@ void vtkFourierOpacityTargets::Bind(
 bool vtkFourierOpacityTargets::MakeColors(
   vtkOpenGLRenderWindow* window, vtkTextureObject* texture, const int size[2])
 {
-  return Make(window, texture, true, size[0], size[1], 4, GL_RGBA32F);
+  return Make(window, texture, size, GL_RGBA32F);
 }
 
 //------------------------------------------------------------------------------
@@ -173,10 +197,10 @@ vtkIdType vtkFourierOpacityTargets::GetNumberOfColorBytes(vtkTextureObject* text
 //------------------------------------------------------------------------------
 vtkIdType vtkFourierOpacityTargets::GetNumberOfSumBytes() const
 {
-  vtkIdType bytes = 0;
-  for (std::size_t i = 0; i < this->Sums.size(); ++i)
+  vtkIdType bytes = GetBytes(this->Totals, GL_R32F);
+  for (const auto& texture : this->Sums)
   {
-    bytes += GetBytes(this->Sums[i], FloatFormats[this->Components[i]]);
+    bytes += GetBytes(texture, this->Formats.at(texture));
   }
   return bytes;
 }
@@ -184,22 +208,19 @@ vtkIdType vtkFourierOpacityTargets::GetNumberOfSumBytes() const
 //------------------------------------------------------------------------------
 vtkIdType vtkFourierOpacityTargets::GetNumberOfBytes() const
 {
-  return this->GetNumberOfSumBytes() + GetBytes(this->Bounds, GL_RG16F) +
-    GetBytes(this->Widened, GL_RG16F) + GetBytes(this->Colors, GL_RGBA32F) +
-    GetBytes(this->Counts, GL_RG32F) + GetBytes(this->Opaque, GL_RGBA8) +
-    GetBytes(this->Color, GL_RGBA8) + GetBytes(this->Depth, GL_R32F);
+  vtkIdType bytes = 0;
+  for (const auto& [texture, format] : this->Formats)
+  {
+    bytes += GetBytes(texture, format);
+  }
+  return bytes;
 }
 
 //------------------------------------------------------------------------------
 void vtkFourierOpacityTargets::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Framebuffer->ReleaseGraphicsResources(window);
-  for (const auto& texture : this->Sums)
-  {
-    texture->ReleaseGraphicsResources(window);
-  }
-  for (vtkTextureObject* texture : { this->Bounds.Get(), this->Widened.Get(), this->Colors.Get(),
-         this->Counts.Get(), this->Opaque.Get(), this->Color.Get(), this->Depth.Get() })
+  for (const auto& [texture, format] : this->Formats)
   {
     texture->ReleaseGraphicsResources(window);
   }

@@ -15,6 +15,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,18 +32,22 @@ public:
 
   struct Layout
   {
-    int Width = 0;
-    int Height = 0;
-    int Sums = 0;        ///< number of sums per pixel
-    int BoundsWidth = 0; ///< of the bounds of depth, 0 for none
-    int BoundsHeight = 0;
-    bool HasCounts = false; ///< number and optical depth of fragments (weighted ways)
+    int Size[2] = { 0, 0 };     ///< of the picture
+    int Sums = 0;               ///< number of sums per pixel
+    int SumsSize[2] = { 0, 0 }; ///< pixels that have sums
+    bool HasBounds = false;     ///< of depth
+    int BoundsSize[2] = { 0, 0 };
+    int WidenedSize[2] = { 0, 0 };
+    bool HasHalfFloats = false; ///< colours and sums but the first one
+    bool HasTotals = false;     ///< optical depth of each pixel, apart from the sums
+    bool HasCounts = false;     ///< number and optical depth of fragments (weighted ways)
     bool HasOpaqueLayer = false;
-    bool HasPicture = false; ///< colour and depth of the result
+    bool HasPicture = false; ///< colour of the result
   };
 
-  /// Components of the textures of so many sums: 4, 4, ..., 2, 1.
-  static std::vector<int> GetComponents(int sums);
+  /// Components of the textures of so many sums: 4, 4, ..., 2, 1. Where half floats hold all but
+  /// the first sum, that one comes first by itself.
+  static std::vector<int> GetComponents(int sums, bool halfFloats);
 
   /// Make textures, or what is missing. Returns an empty string, or what there was no memory for.
   std::string Prepare(vtkOpenGLRenderWindow* window, const Layout& layout);
@@ -52,9 +57,9 @@ public:
   vtkNew<vtkTextureObject> Widened; ///< the same, of each pixel and those around it
   vtkNew<vtkTextureObject> Colors;  ///< sum of weighted colours, and of weights
   vtkNew<vtkTextureObject> Counts;
+  vtkNew<vtkTextureObject> Totals; ///< optical depth of each pixel, where sums are reduced
   vtkNew<vtkTextureObject> Opaque;
   vtkNew<vtkTextureObject> Color;
-  vtkNew<vtkTextureObject> Depth;
 
   /**
    * Draw to textures, with the scene's depth for depth tests or without. The framebuffer stays
@@ -77,11 +82,13 @@ private:
   vtkFourierOpacityTargets(const vtkFourierOpacityTargets&) = delete;
   void operator=(const vtkFourierOpacityTargets&) = delete;
 
-  static bool Make(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, bool wanted, int width,
-    int height, int components, unsigned int format);
+  /// Keep a texture, make it anew with another size or format, or let it go.
+  bool Keep(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, bool wanted,
+    const int size[2], unsigned int format);
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  std::vector<int> Components;
+  /// Format of each texture, for those that were ever asked for.
+  std::map<vtkTextureObject*, unsigned int> Formats;
 };
 
 #endif

@@ -49,6 +49,9 @@ public:
    */
   vtkTextureObject* Copy(vtkOpenGLRenderWindow* window, const int origin[2], int width, int height);
 
+  /// The texture that Copy() returned last; it has no handle before.
+  vtkTextureObject* GetTexture() { return this->Texture; }
+
   /// Depths of the texture that Copy() returned, as Read() gives them; none for nullptr.
   static std::vector<float> Download(vtkTextureObject* texture);
 

@@ -64,6 +64,12 @@ void vtkOpacityOptimization::SetImportanceReduction(int reduction)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpacityOptimization::SetDepthReduction(int reduction)
+{
+  vtkLineSetsSetInRange(this, "DepthReduction", this->DepthReduction, reduction, 1, 8);
+}
+
+//------------------------------------------------------------------------------
 void vtkOpacityOptimization::SetBlending(int blending)
 {
   vtkLineSetsSetInRange(this, "Blending", this->Blending, blending, static_cast<int>(Fourier),
@@ -127,6 +133,8 @@ void vtkOpacityOptimization::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfBands: " << this->NumberOfBands << "\n";
   os << indent << "Subset: " << this->Subset << "\n";
   os << indent << "ImportanceReduction: " << this->ImportanceReduction << "\n";
+  os << indent << "DepthReduction: " << this->DepthReduction << "\n";
+  os << indent << "HalfFloats: " << this->HalfFloats << "\n";
   os << indent << "Blending: " << this->Blending << "\n";
   os << indent << "Importance: " << this->Importance << "\n";
   os << indent << "DepthScale: " << this->DepthScale << "\n";

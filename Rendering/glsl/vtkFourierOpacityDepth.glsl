@@ -8,8 +8,7 @@
 uniform vec4 fourierProjection;
 // Nearest distance from the camera, and the inverse of the range of distances or of its logarithm.
 uniform vec2 fourierRange;
-// Pixels of a row of the picture for one of the bounds and of the sums of importance.
-uniform int fourierReduction;
+// Size of the full picture.
 uniform ivec2 fourierSize;
 
 // Depth in the scene's range from that of the depth buffer.
@@ -32,8 +31,20 @@ float fourierBufferDepth(float d)
   return clamp(0.5 * n + 0.5, 0.0, 1.0);
 }
 
-// Pixel of the full picture that stands for one of reduced resolution.
-ivec2 fourierFullPixel(ivec2 pixel)
+// Pixel of the full picture that stands for one of a reduced picture.
+ivec2 fourierFullPixel(ivec2 pixel, int reduction)
 {
-  return min(pixel * fourierReduction + fourierReduction / 2, fourierSize - 1);
+  return min(pixel * reduction + reduction / 2, fourierSize - 1);
+}
+
+// Farthest depth of the scene, of the depth buffer, in a pixel of a reduced picture.
+float fourierFarthest(sampler2D scene, ivec2 pixel, int reduction)
+{
+  float farthest = 0.0;
+  for (int i = 0; i < reduction * reduction; ++i)
+  {
+    ivec2 full = pixel * reduction + ivec2(i % reduction, i / reduction);
+    farthest = max(farthest, texelFetch(scene, min(full, fourierSize - 1), 0).r);
+  }
+  return farthest;
 }

@@ -142,6 +142,9 @@ SCENE or --scene SCENE   )"
                          pixel, in the order of their depths, as fragment-list has them
 --importance-reduction N importance is summed for one of N pixels of a row and of a column, 1 to 8
                          (default 2)
+--depth-reduction N      the same for the optical depth of fourier (default 1)
+--half-floats SWITCH     on or off (default): sums of fourier, but for the optical depth of a pixel,
+                         and colours have 2 bytes in place of 4
 --depth-scale SCALE      linear (default) or logarithmic: how series and bins divide the depth
 --tight-depth SWITCH     on (default) or off, for fourier: whether the series of a pixel's optical
                          depth spans only the depths that this pixel shows
@@ -186,9 +189,9 @@ void PrintKeys(std::ostream& out)
   out << R"(
 Keys: scene lines points polygons vertices method engine width height opacity radius light
 animated frames median_ms min_ms max_ms cpu_ms rebuild_ms draw_ms build_ms first_frame_ms
-model_bytes gpu_bytes segments drawn importance importance_reduction bands subset weights smoothing
-sum_bytes fragments dropped depth_complexity peels shadows shadow_level cone_angle occlusion
-occlusion_radius occlusion_samples rmse ssim rmse_full ssim_full rmse_decoded densities_ms
+model_bytes gpu_bytes segments drawn importance importance_reduction bands subset depth_reduction
+half_floats weights smoothing sum_bytes fragments dropped depth_complexity peels shadows shadow_level
+cone_angle occlusion occlusion_radius occlusion_samples rmse ssim rmse_full ssim_full rmse_decoded densities_ms
 occlusion_ms rmse_occlusion bias_occlusion rmse_occlusion_lines bias_occlusion_lines
 rmse_occlusion_seen bias_occlusion_seen ratio_tubes ratio_peeling ratio_lines ratio_fragment_list
 ratio_voxel renderer vtk threads error.

@@ -226,6 +226,12 @@ std::map<std::string, Setter> GetSetters()
     { "--importance-reduction",
       [](O& o, const S& v)
       { o.Opacities.ImportanceReduction = ToInt("--importance-reduction", v, 1, 8); } },
+    { "--depth-reduction",
+      [](O& o, const S& v) { o.Opacities.DepthReduction = ToInt("--depth-reduction", v, 1, 8); } },
+    { "--half-floats",
+      [](O& o, const S& v) {
+        o.Opacities.HalfFloats = ToOneName("--half-floats", v, { "on", "off" }) == "on";
+      } },
     { "--depth-scale",
       [](O& o, const S& v) {
         o.Opacities.DepthScale = ToOneName("--depth-scale", v, { "linear", "logarithmic" });

@@ -19,16 +19,18 @@ namespace linesets
 /// Of the methods with opacity optimization: Baeza Rojo et al., 2019.
 struct OpacityOptions
 {
-  int Bands = 5;            ///< of the Fourier series, 1 to 16
-  int Subset = 1;           ///< one of so many segments is taken for the series, 1 to 10000
+  int Bands = 5;        ///< of the Fourier series, 1 to 16
+  int Subset = 1;       ///< one of so many segments is taken for the series, 1 to 10000
   int LineSegments = 0; ///< of all lines together, up to 2^24-1; 0: by the filter
-  int Patches = 500;        ///< of all surfaces together, 1 to 2^24-1
+  int Patches = 500;    ///< of all surfaces together, 1 to 2^24-1
   /// Steps of smoothing of opacities along the geometry, 0 to 1000, and p (1e-6 to 1e6), q and r (0
   /// to 1e6) and lambda (0.01 to 100) of the energy, Eq. 1. Without, those of the scene.
   std::optional<int> Smoothing;
   std::optional<std::array<double, 4>> Weights;
   std::string ImportanceSums = "fourier"; ///< or exact
   int ImportanceReduction = 2;            ///< pixels of a side for a sum of importance, 1 to 8
+  int DepthReduction = 1;                 ///< the same for a sum of optical depth
+  bool HalfFloats = false;                ///< whether sums of fourier have 2 bytes
   std::string DepthScale = "linear";      ///< or logarithmic
   bool TightDepth = true;                 ///< whether each pixel has its own range of depths
   double OpaqueThreshold = 0.98;          ///< from which on fragments hide, 0.5 to 1

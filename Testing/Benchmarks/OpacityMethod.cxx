@@ -116,6 +116,8 @@ void OpacityMethod::SetOptimization(const BenchmarkOptions& options)
     from.DepthScale == "logarithmic" ? O::LogarithmicDepth : O::LinearDepth);
   optimization->SetTightDepth(from.TightDepth);
   optimization->SetOpaqueThreshold(from.OpaqueThreshold);
+  optimization->SetDepthReduction(from.DepthReduction);
+  optimization->SetHalfFloats(from.HalfFloats);
   optimization->SetImportanceReduction(
     this->ExactReduction > 0 ? this->ExactReduction : from.ImportanceReduction);
   optimization->SetMaximumListMemory(
@@ -201,6 +203,8 @@ void OpacityMethod::Describe(JsonObject& object)
   {
     object.Add("bands", optimization->GetNumberOfBands());
     object.Add("subset", optimization->GetSubset());
+    object.Add("depth_reduction", optimization->GetDepthReduction());
+    object.Add("half_floats", optimization->GetHalfFloats() ? 1 : 0);
   }
   std::ostringstream weights;
   weights << optimization->GetRegularizationWeight() << "," << optimization->GetForegroundWeight()

@@ -12,6 +12,8 @@ endforeach ()
 run(2 "--subset: 0 is not" tornado --subset 0)
 run(2 "--subset: 10001 is not" tornado --subset 10001)
 run(2 "--importance-reduction: 9 is not" tornado --importance-reduction 9)
+run(2 "--depth-reduction: 9 is not" tornado --depth-reduction 9)
+run(2 "--half-floats: yes is none of on off" tornado --half-floats yes)
 run(2 "--depth-scale: cubic is none of linear logarithmic" tornado --depth-scale cubic)
 run(2 "--tight-depth: yes is none of on off" tornado --tight-depth yes)
 run(2 "--opaque-threshold: 0.4 is not" tornado --opaque-threshold 0.4)
@@ -34,10 +36,10 @@ run(2 "--importance-sums: sorted is none of fourier exact" tornado --importance-
 # What opacity optimization takes is taken, at both ends of the ranges, and told as the mapper has it.
 foreach (weights IN ITEMS 1e-06,0,0,0.01 1e+06,1e+06,1e+06,100)
   string(REPLACE "+" "[+]" told "${weights}")
-  run(0 "\"importance\": \"exact\", \"importance_reduction\": 3, \"bands\": 16, \"subset\": 7, \"weights\": \"${told}\", \"smoothing\": 0,"
+  run(0 "\"importance\": \"exact\", \"importance_reduction\": 3, \"bands\": 16, \"subset\": 7, \"depth_reduction\": 2, \"half_floats\": 1, \"weights\": \"${told}\", \"smoothing\": 0,"
     tornado --lines 5 --vertices 10 --size 16x12 --frames 1 --methods fourier --bands 16 --subset 7
     --smoothing 0 --weights ${weights} --importance-sums exact --importance speed
-    --importance-reduction 3 --depth-scale logarithmic --tight-depth off --opaque-threshold 1
+    --importance-reduction 3 --depth-reduction 2 --half-floats on --depth-scale logarithmic --tight-depth off --opaque-threshold 1
     --list-memory 1)
 endforeach ()
 
@@ -53,7 +55,7 @@ set(common scene lines vertices method width height opacity radius light frames 
   max_ms cpu_ms build_ms first_frame_ms importance importance_reduction weights smoothing gpu_bytes
   sum_bytes depth_complexity rmse ssim rmse_full ssim_full ratio_fragment_list renderer vtk threads)
 foreach (method IN LISTS blendings)
-  set(expected ${common} bands subset)
+  set(expected ${common} bands subset depth_reduction half_floats)
   if (method STREQUAL "fragment-list")
     set(expected ${common} fragments dropped)
   endif ()

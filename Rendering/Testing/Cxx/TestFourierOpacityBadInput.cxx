@@ -266,6 +266,7 @@ void CheckSetters(Checks& check, Messages* messages)
     LS_NUMBER(NumberOfBands, 1, 16),
     LS_NUMBER(Subset, 1, 10000),
     LS_NUMBER(ImportanceReduction, 1, 8),
+    LS_NUMBER(DepthReduction, 1, 8),
     LS_NUMBER(Blending, 0, 5),
     LS_NUMBER(Importance, 0, 1),
     LS_NUMBER(DepthScale, 0, 1),
@@ -331,8 +332,8 @@ void CheckSetters(Checks& check, Messages* messages)
   {
     mapper->SetNumberOfLineSegments(bad);
     mapper->SetNumberOfPatches(bad);
-    check(messages->TakeErrors(" to 16777215") == 2 &&
-        mapper->GetNumberOfLineSegments() == 0 && mapper->GetNumberOfPatches() == 500,
+    check(messages->TakeErrors(" to 16777215") == 2 && mapper->GetNumberOfLineSegments() == 0 &&
+        mapper->GetNumberOfPatches() == 500,
       "numbers of segments and patches");
   }
   mapper->SetNumberOfLineSegments((1 << 24) - 1);

@@ -22,6 +22,8 @@ defaults = {
     "NumberOfBands": 5,
     "Subset": 1,
     "ImportanceReduction": 2,
+    "DepthReduction": 1,
+    "HalfFloats": False,
     "Blending": vtkOpacityOptimization.Fourier,
     "Importance": vtkOpacityOptimization.SeriesImportance,
     "DepthScale": vtkOpacityOptimization.LinearDepth,
@@ -50,6 +52,9 @@ own.SetBlendingToFourier()
 own.TightDepthOff()
 assert not own.GetTightDepth()
 own.TightDepthOn()
+own.HalfFloatsOn()
+assert own.GetHalfFloats()
+own.HalfFloatsOff()
 
 # May be shared; None brings one of its own back; a picture depends on it.
 other = vtkFourierOpacityMapper()
