@@ -17,6 +17,8 @@
 #include "vtkAlgorithm.h"
 #include "vtkVersionMacros.h"
 
+#include <string>
+
 namespace vtkLineSetsCompatibility
 {
 /**
@@ -47,6 +49,20 @@ bool SetUseOIT(RendererT* renderer, bool useOIT)
   static_cast<void>(renderer);
   return useOIT;
 #endif
+}
+
+/**
+ * Takes out of a fragment shader what VTK from 9.6 on appends for PBR, even where it lights
+ * nothing: the encoding of linear colours. Colours that are not lit by PBR are not linear.
+ */
+inline void RemoveColorEncoding(std::string& source)
+{
+  const std::string encoding = "gl_FragData[0].rgb = pow(gl_FragData[0].rgb, vec3(1.0/2.2));";
+  const std::size_t place = source.find(encoding);
+  if (place != std::string::npos)
+  {
+    source.erase(place, encoding.size());
+  }
 }
 }
 

@@ -9,6 +9,7 @@
 #include "vtkIlluminatedLineVertices.h"
 #include "vtkLineIllumination.h"
 #include "vtkLineMerging.h"
+#include "vtkLineSetsCompatibilityPrivate.h"
 #include "vtkLineSetsLighting.h"
 #include "vtkLineSetsLightingUniforms.h"
 #include "vtkMatrix4x4.h"
@@ -24,6 +25,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 
@@ -377,6 +379,12 @@ void vtkIlluminatedLineMapper::ReplaceShaderLight(
     this->Internals->Shader.Insert(shaders);
   }
   this->Superclass::ReplaceShaderLight(shaders, renderer, actor);
+  if (this->Internals->IsLit)
+  {
+    std::string source = shaders[vtkShader::Fragment]->GetSource();
+    vtkLineSetsCompatibility::RemoveColorEncoding(source);
+    shaders[vtkShader::Fragment]->SetSource(source);
+  }
 }
 
 //------------------------------------------------------------------------------

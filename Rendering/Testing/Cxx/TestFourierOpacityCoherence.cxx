@@ -207,15 +207,17 @@ void CheckImportanceChanges(Checks& check)
   check(getGrey() == opaque, "at once with other points: grey " + std::to_string(getGrey()));
 }
 
-// A white line whose left part lies before something important.
+// A white line whose left part lies before something important. The part is one of six elements,
+// and ends where the view does that looks to the right: no version of VTK's wide lines shows any of
+// it.
 void CheckLeaving(Checks& check)
 {
   std::vector<Curve> curves(1);
-  for (int i = 0; i <= 16; ++i)
+  for (int i = 0; i <= 12; ++i)
   {
-    curves[0].push_back({ -0.8 + 0.1 * i, 0.0, 0.5 });
+    curves[0].push_back({ -0.75 + 0.125 * i, 0.0, 0.5 });
   }
-  curves.push_back({ { -0.8, 0.0, -0.5 }, { -0.55, 0.0, -0.5 } });
+  curves.push_back({ { -0.75, 0.0, -0.5 }, { -0.625, 0.0, -0.5 } });
   auto data = MakeLines(curves);
   vtkNew<vtkFloatArray> importance;
   importance->SetName("Importance");
@@ -223,8 +225,8 @@ void CheckLeaving(Checks& check)
   colors->SetNumberOfComponents(3);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
-    importance->InsertNextValue(i < 17 ? 0.0f : 1.0f);
-    const double grey = i < 17 ? 255.0 : 0.0;
+    importance->InsertNextValue(i < 13 ? 0.0f : 1.0f);
+    const double grey = i < 13 ? 255.0 : 0.0;
     colors->InsertNextTuple3(grey, grey, grey);
   }
   data->GetPointData()->SetScalars(colors);
@@ -232,7 +234,7 @@ void CheckLeaving(Checks& check)
   OpacityStage stage(64, 64);
   stage.Renderer->SetBackground(0.0, 0.0, 0.0);
   stage.Actor->GetProperty()->SetLineWidth(7.0);
-  stage.Mapper->SetNumberOfLineSegments(9);
+  stage.Mapper->SetNumberOfLineSegments(7);
   stage.GetOptimization()->SetSmoothingIterations(50);
   const Picture before = stage.Render(data);
   check(before.At(34, 32)[0] < 250, "the faded part reaches into the rest");
