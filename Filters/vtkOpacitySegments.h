@@ -83,11 +83,11 @@ public:
 
   ///@{
   /**
-   * Number of segments of all lines together, 1 to 2^24-1, or 0 for 16 per line, but at most one
+   * Number of segments of all lines together, 0 to 2^24-1. Default 0: 16 per line, but at most one
    * for four points, and at least 50 000. Their length is the total length of the lines divided by
    * it; then each line gets a whole number of them, at least one, so that the total differs a
    * little. Lines of few segments have nearly the same opacity all along. The paper uses 20 000 to
-   * 150 000 (Sec. 5.5.2). Default 0. A value out of range is an error, and the old one stays.
+   * 150 000 (Sec. 5.5.2). A value out of range is an error, and the old one stays.
    */
   virtual void SetNumberOfLineSegments(int number);
   vtkGetMacro(NumberOfLineSegments, int);
@@ -95,9 +95,9 @@ public:
 
   ///@{
   /**
-   * Length of the segments of lines in world units, 0 or above; 0 for NumberOfLineSegments to
-   * rule. It is rounded so that each line has a whole number of segments. Default 0. A value out
-   * of range is an error, and the old one stays.
+   * Length of the segments of lines in world units, 0 or above. Default 0: NumberOfLineSegments
+   * rules. It is rounded so that each line has a whole number of segments. A value out of range is
+   * an error, and the old one stays.
    */
   virtual void SetSegmentLength(double length);
   vtkGetMacro(SegmentLength, double);
