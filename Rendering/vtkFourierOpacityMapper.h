@@ -137,7 +137,7 @@ public:
   /// Bytes on the graphics device for sums, layers and opacities, of the mapper by itself. 0 before
   /// the first picture.
   vtkIdType GetNumberOfBytes();
-  /// Those of the sums alone, which the paper counts.
+  /// Bytes on the graphics device for the sums alone, which the paper counts.
   vtkIdType GetNumberOfSumBytes();
   ///@}
 
@@ -146,14 +146,15 @@ public:
    * Number of fragments of the last picture of the mapper by itself that was made with lists.
    */
   vtkIdType GetNumberOfFragments();
-  /// Number of those that were dropped since they did not fit, which a warning tells.
+  /// Number of fragments of that picture that were dropped since they did not fit, which a warning
+  /// tells.
   vtkIdType GetNumberOfDroppedFragments();
-  /// Their mean number over the pixels that have any.
+  /// Mean number of fragments of that picture over the pixels that have any.
   double GetMeanDepthComplexity();
   ///@}
 
-  /// Number of pictures whose mean was drawn last by the mapper by itself
-  /// (vtkOpacityOptimization::SetAccumulationFrames()); 0 before the first one.
+  /// Number of pictures whose mean was drawn last by the mapper by itself, up to AccumulationFrames;
+  /// 0 before the first one.
   int GetNumberOfAccumulatedPictures();
 
   bool HasOpaqueGeometry() override { return false; }

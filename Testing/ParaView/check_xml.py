@@ -81,8 +81,10 @@ class Header:
         return "\n".join(re.sub(r"\*/$", "", line).rstrip() for line in lines).strip()
 
     def find_brief(self):
+        """The brief description as a sentence."""
         match = re.search(r"@brief\s+(.*?)\n \*\s*\n", self.text, re.DOTALL)
-        return normalize(match.group(1).replace("\n * ", "\n"))
+        brief = normalize(match.group(1).replace("\n * ", "\n"))
+        return brief[0].upper() + brief[1:].rstrip(".") + "."
 
     def find_first_paragraph(self):
         match = re.search(r"@brief.*?\n \*\s*\n(.*?)\n \*\s*\n", self.text, re.DOTALL)
@@ -105,9 +107,10 @@ class Header:
                 re.findall(r"^\s*(\w+) = (\d+)", match.group(1), re.MULTILINE)}
 
     def list_settings(self):
-        """Names of what can be set."""
-        names = re.findall(r"^  (?:virtual )?void Set(\w+)\(", self.text, re.MULTILINE)
-        names += re.findall(r"vtkSet(?:Vector\d)?Macro\((\w+),", self.text)
+        """Names of what can be set from outside."""
+        public = self.text.split("\nprotected:")[0]
+        names = re.findall(r"^  (?:virtual )?void Set(\w+)\(", public, re.MULTILINE)
+        names += re.findall(r"vtkSet(?:Vector\d)?Macro\((\w+),", public)
         return {name for name in names if not re.match(r"\w+To[A-Z]", name)}
 
 
@@ -288,6 +291,10 @@ def check_property(prop, headers, labels, errors):
     if prop.documentation != text:
         errors.append("%s: the documentation is\n    %s\n  but the header says\n    %s" %
                       (prop.place, prop.documentation, text))
+    code = re.search(r"\bvtk[A-Z]\w+|\w+::\w+|\w+\(\)|\bnullptr\b", text)
+    if code:
+        errors.append("%s: a panel should not speak of %s; a second paragraph of the comment may" %
+                      (prop.place, code.group()))
     # Commands and what is only told have neither default nor range.
     is_setting = prop.element.tag != "Property" and not prop.element.get("information_only")
     if is_setting and prop.element.find("ArrayListDomain") is None:

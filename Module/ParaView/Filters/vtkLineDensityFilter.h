@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLineDensityFilter
- * @brief   Sum the length of the lines in each voxel of a grid, as an image.
+ * @brief   sum the length of the lines in each voxel of a grid, as an image
  *
  * The density of a voxel is the sum over the lines in it of length times opacity, with lengths in
  * voxels of level 0: a straight line through the middle of a voxel along an axis counts 1. Coarser

@@ -63,7 +63,9 @@ public:
   ///@{
   /**
    * Bins along the edge of a voxel face to which points are rounded: a power of two from 2 to 2048,
-   * or 0 for exact points. Default 32. At the next update, an error tells of any other.
+   * or 0 for exact points. Default 32.
+   *
+   * At the next update, an error tells of any other.
    */
   vtkSetMacro(FaceBins, int);
   vtkGetMacro(FaceBins, int);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkVoxelizeLinesFilter
- * @brief   Cut lines at the faces of a grid of voxels, and give the lines of a level.
+ * @brief   cut lines at the faces of a grid of voxels, and give the lines of a level
  *
  * Within each voxel a line becomes straight, its points on the faces of voxels are rounded, and
  * from level 1 on one line of each voxel stands for all (Kanzler, Rautenhaus and Westermann, "A
