@@ -104,7 +104,7 @@ class Header:
         if not match:
             return {}
         return {int(value): key for key, value in
-                re.findall(r"^\s*(\w+) = (\d+)", match.group(1), re.MULTILINE)}
+                re.findall(r"\b(\w+) = (\d+)", match.group(1))}
 
     def list_settings(self):
         """Names of what can be set from outside."""
