@@ -69,6 +69,24 @@ def make_view(size=(300, 300)):
     return view
 
 
+def color_by(display, association, name, low, high):
+    """Colours by an array with a map of our own: the default one differs between versions."""
+    simple.ColorBy(display, (association, name))
+    table = simple.GetColorTransferFunction(name)
+    table.ColorSpace = "RGB"
+    table.RGBPoints = [low, 0.2, 0.4, 0.9, (low + high) / 2, 0.9, 0.9, 0.9, high, 0.9, 0.3, 0.1]
+    return table
+
+
+def look_from(view, direction=(1.0, 0.6, 0.4), zoom=1.3):
+    """Looks at the middle of everything from a direction that no helix or box is aligned with."""
+    view.CameraFocalPoint = [0, 0, 0]
+    view.CameraPosition = list(direction)
+    view.CameraViewUp = [0, 0, 1]
+    simple.ResetCamera(view)
+    simple.GetActiveCamera().Zoom(zoom)
+
+
 def read_picture(path):
     """The picture as an array of height x width x 3 floats from 0 to 255."""
     reader = vtkPNGReader()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLineSetsRepresentation.h"
 
+#include "vtkCommand.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkInformation.h"
 #include "vtkLineSetsBlocks.h"
@@ -29,6 +30,10 @@ void vtkLineSetsRepresentation::SetLineMapper(vtkPolyDataMapper* mapper)
   {
     return;
   }
+  // ParaView observes the progress of every algorithm that has a proxy, and its client processes
+  // events upon progress: in the middle of a picture those would draw other parts of the window and
+  // leave their OpenGL context current.
+  mapper->RemoveObservers(vtkCommand::ProgressEvent);
   this->Mapper->Delete();
   this->LODMapper->Delete();
   this->Mapper = mapper;
