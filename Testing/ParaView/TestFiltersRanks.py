@@ -39,7 +39,9 @@ def get_length(data):
                for a, b in zip(offsets[:-1], offsets[1:]))
 
 
-parts = [testing.make_helices(10, shift=0.5 * i) for i in range(3)] + [vtkPolyData()]
+empty = vtkPolyData()
+empty.DeepCopy(testing.make_helices(0))
+parts = [testing.make_helices(10, shift=0.5 * i) for i in range(3)] + [empty]
 folder = os.path.join(testing.OUTPUT, "ranks-%d" % ranks)
 whole_path = os.path.join(folder, "whole.vtp")
 if rank == 0:

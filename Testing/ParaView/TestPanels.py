@@ -11,15 +11,18 @@ import xml.etree.ElementTree as ElementTree
 import linesets_testing as testing
 from paraview import servermanager, simple
 
-REPRESENTATIONS = {"Voxel Lines": "VoxelLinesRepresentation",
-                   "Illuminated Lines": "IlluminatedLinesRepresentation",
-                   "Fourier Opacity": "FourierOpacityRepresentation"}
+REPRESENTATIONS = ("Voxel Lines", "Illuminated Lines", "Fourier Opacity")
+# Which of them have the objects of a class.
+OWNERS = {"vtkVoxelLineMapper": REPRESENTATIONS[:1], "vtkLineGlobalIllumination": REPRESENTATIONS[:1],
+          "vtkLineIllumination": REPRESENTATIONS, "vtkIlluminatedLineMapper": REPRESENTATIONS[1:],
+          "vtkFourierOpacityMapper": REPRESENTATIONS[2:],
+          "vtkOpacityOptimization": REPRESENTATIONS[2:]}
 FOLDER = os.path.join(testing.SOURCE, "Module", "ParaView", "Representations")
 # Of representations: values to set, and what the object that draws prints then.
-ARRAYS = {"RadiusArray": (["Width"], "RadiusArrayName", "Width"),
-          "TangentArray": (["Flow"], "TangentArrayName", "Flow"),
-          "SpecularPowerArray": (["Height"], "SpecularPowerArrayName", "Height"),
-          "ImportanceArray": (["0", "", "", "1", "Helix"], "ImportanceArrayName", "Helix")}
+ARRAYS = {"RadiusArray": ("Width", "RadiusArrayName", "Width"),
+          "TangentArray": ("Flow", "TangentArrayName", "Flow"),
+          "SpecularPowerArray": ("Height", "SpecularPowerArrayName", "Height"),
+          "ImportanceArray": (["CELLS", "Helix"], "ImportanceArrayName", "Helix")}
 
 
 def list_properties():
@@ -33,21 +36,21 @@ def list_properties():
                             yield proxy.get("class"), element
 
 
-def find_objects(proxy, vtk_class):
-    """The client's objects of a class, or of one that derives from it, in the tree of proxies."""
-    found = []
-    for i in range(proxy.GetNumberOfSubProxies()):
-        found += find_objects(proxy.GetSubProxy(i), vtk_class)
-    if proxy.GetVTKClassName() and proxy.GetClientSideObject() and \
-            proxy.GetClientSideObject().IsA(vtk_class):
-        found.append(proxy.GetClientSideObject())
-    return found
+def find_mappers(display):
+    """What draws each representation, by the representation's name."""
+    mappers = {}
+    for name in REPRESENTATIONS:
+        display.Representation = name
+        representation = display.SMProxy.GetClientSideObject().GetActiveRepresentation()
+        mappers[name] = representation.GetActor().GetMapper()
+    return mappers
 
 
-def get_printed(vtk_object, member):
-    match = re.search(r"^ *%s: *(.*?) *$" % member, str(vtk_object), re.MULTILINE)
-    testing.check(match, "%s is not printed by\n%s" % (member, vtk_object))
-    return match.group(1)
+def find_printed(mappers, member):
+    """All that the mappers and the objects in them print of a member, by the mapper's name."""
+    found = {name: re.findall(r"^ *%s: *(.*?) *$" % member, str(mapper), re.MULTILINE)
+             for name, mapper in mappers.items()}
+    return {name: values for name, values in found.items() if values}
 
 
 def choose_value(element):
@@ -66,12 +69,15 @@ def choose_value(element):
     return int(default) + 1 if int(default) < int(domain.get("max")) else int(domain.get("min"))
 
 
-def is_same(printed, value):
-    if printed in ("On", "Off"):
-        return printed == ("On" if value else "Off")
-    # Some values are followed by what they mean.
-    number = re.match(r"-?[\d.]+(?:e[+-]?\d+)?", printed)
-    return number and abs(float(number.group()) - value) <= 1e-5 * abs(value)
+def is_same(printed, value, entries):
+    """Whether text is a value, or else the name of the entry that has the value."""
+    if printed in ("On", "Off", "true", "false"):
+        return (printed in ("On", "true")) == bool(value)
+    if re.fullmatch(r"-?[\d.]+(?:e[+-]?\d+)?", printed):
+        return abs(float(printed) - value) <= 1e-5 * abs(value)
+    # Enumerators say "NoShadows" where lists say "None".
+    entry = re.sub("^None$", "No", entries.get(int(value), "?").replace(" ", ""))
+    return entry.lower() in printed.replace(" ", "").lower()
 
 
 testing.load_plugin()
@@ -83,6 +89,8 @@ view = testing.make_view()
 display = simple.Show(calculators, view)
 proxy = display.SMProxy
 
+mappers = find_mappers(display)
+
 count = 0
 for vtk_class, element in list_properties():
     name = element.get("name")
@@ -91,59 +99,60 @@ for vtk_class, element in list_properties():
     if element.get("information_only"):
         continue
     value = choose_value(element)
-    objects = find_objects(proxy, vtk_class)
-    expected = 3 if vtk_class == "vtkLineIllumination" else \
-        2 if vtk_class == "vtkIlluminatedLineMapper" else 1
-    testing.check(len(objects) == expected, "%d objects are a %s" % (len(objects), vtk_class))
+    entries = {int(e.get("value")): e.get("text")
+               for e in element.iterfind("EnumerationDomain/Entry")}
     default = float(element.get("default_values"))
-    for vtk_object in objects:
-        testing.check(is_same(get_printed(vtk_object, member), default),
-                      "%s begins with %s, not with %s" %
-                      (name, get_printed(vtk_object, member), default))
+
+    def check_printed(expected):
+        for owner in OWNERS[vtk_class]:
+            printed = find_printed(mappers, member).get(owner, ())
+            testing.check(any(is_same(text, expected, entries) for text in printed),
+                          "%s should be %s in %s, which prints %s" %
+                          (name, expected, owner, printed))
+
+    check_printed(default)
     servermanager.vtkSMPropertyHelper(proxy, name).Set(value)
     proxy.UpdateVTKObjects()
-    for vtk_object in objects:
-        testing.check(is_same(get_printed(vtk_object, member), value),
-                      "%s was set to %s, but %s has %s" %
-                      (name, value, vtk_object.GetClassName(), get_printed(vtk_object, member)))
-    servermanager.vtkSMPropertyHelper(proxy, name).Set(element.get("default_values"))
+    check_printed(value)
+    servermanager.vtkSMPropertyHelper(proxy, name).Set(int(default) if default == int(default)
+                                                       else default)
     proxy.UpdateVTKObjects()
+    check_printed(default)
     count += 1
 print("%d settings reach their objects" % count)
 testing.check(count > 40, "only %d settings were tried" % count)
 
-mappers = {text: proxy.GetSubProxy(name).GetSubProxy("LineMapper").GetClientSideObject()
-           for text, name in REPRESENTATIONS.items()}
-for name, (value, member, printed) in ARRAYS.items():
-    targets = [m for m in mappers.values() if (member + ":") in str(m)]
-    testing.check(targets, "nothing prints " + member)
-    if name != "ImportanceArray":
-        for mapper in targets:
-            testing.check(get_printed(mapper, member) == "", name + " begins with no array")
-    servermanager.vtkSMPropertyHelper(proxy, name).Set(value[0] if len(value) == 1 else value)
-    proxy.UpdateVTKObjects()
-    for mapper in targets:
-        testing.check(get_printed(mapper, member) == printed, "%s is %s for %s" % (
-            name, get_printed(mapper, member), mapper.GetClassName()))
-    if name == "ImportanceArray":
-        testing.check(get_printed(targets[0], "ImportanceArrayAssociation") == "1",
-                      "the importance array is one of cells")
-        continue
-    servermanager.vtkSMPropertyHelper(proxy, name).Set("None")
-    proxy.UpdateVTKObjects()
-    for mapper in targets:
-        testing.check(get_printed(mapper, member) == "", name + " can be taken back")
 
-fourier = mappers["Fourier Opacity"]
-testing.check(get_printed(fourier, "ImportanceRange") == "1 0", "the array's range counts at first")
+for name, (value, member, printed) in ARRAYS.items():
+    owners = find_printed(mappers, member)
+    testing.check(owners, "nothing prints " + member)
+    if name != "ImportanceArray":
+        testing.check(all(v == [""] for v in owners.values()), name + " begins with no array")
+    setattr(display, name, value)
+    testing.check(all(v == [printed] for v in find_printed(mappers, member).values()),
+                  "%s is %s" % (name, find_printed(mappers, member)))
+    if name != "ImportanceArray":
+        setattr(display, name, "None")
+        testing.check(all(v == [""] for v in find_printed(mappers, member).values()),
+                      name + " can be taken back")
+
+
+def check_fourier(member, value):
+    printed = find_printed(mappers, member)["Fourier Opacity"]
+    testing.check(printed == [value], "%s should be %s, not %s" % (member, value, printed))
+
+
+check_fourier("ImportanceArrayAssociation", "1")
+check_fourier("ImportanceRange", "1 0")
 display.ImportanceArray = ["POINTS", "Height"]
+check_fourier("ImportanceArrayAssociation", "0")
 domain = proxy.GetProperty("ImportanceRange").GetDomain("range")
 testing.check(abs(domain.GetMaximum(0) - 1.98) < 1e-6, "the domain has the range of the array")
 display.UseImportanceRange = 1
 display.ImportanceRange = [0.25, 0.75]
-testing.check(get_printed(fourier, "ImportanceRange") == "0.25 0.75", "the importance range counts")
+check_fourier("ImportanceRange", "0.25 0.75")
 display.UseImportanceRange = 0
-testing.check(get_printed(fourier, "ImportanceRange") == "1 0", "the array's range counts again")
+check_fourier("ImportanceRange", "1 0")
 
 # By their names, as in a Python trace.
 display.Shadows = "Soft"
@@ -154,7 +163,6 @@ for name in REPRESENTATIONS:
     display.Representation = name
     simple.Render(view)
     testing.check(display.Reflection == "Blinn", "the light stays with " + name)
-    testing.check("LineWidth: 2" not in str(mappers[name]), "line width is the property's")
 
 
 def tell(name):

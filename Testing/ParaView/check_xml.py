@@ -356,7 +356,7 @@ def update(path, texts, filter_texts):
         start = re.search(r'<SourceProxy [^>]*name="%s"' % name, text).start()
         text = set_documentation(text, start, documentation)
         text = text[:start] + text[start:].replace(
-            "<Documentation>", '<Documentation short_help="%s">' % brief, 1)
+            "<Documentation>", '<Documentation\n          short_help="%s">' % brief, 1)
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Catches the errors and warnings that a test expects, so that they do not fail it."""
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 
 
 class Messages:
@@ -11,10 +11,12 @@ class Messages:
         self.window = vtkStringOutputWindow()
         self.before = vtkOutputWindow.GetInstance()
         vtkOutputWindow.SetInstance(self.window)
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
         return self
 
     def __exit__(self, *error):
         vtkOutputWindow.SetInstance(self.before)
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)
         return False
 
     @property
