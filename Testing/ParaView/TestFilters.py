@@ -140,6 +140,28 @@ testing.check(abs(told - 200) <= 40, "segments of a length: %s" % told)
 output = fetch(simple.OpacitySegments(Input=group))
 testing.check(output.IsA("vtkDataObjectTree"), "each block has segments of its own")
 
+# Progress and abort
+for source_proxy in (voxelized, density):
+    algorithm = source_proxy.GetClientSideObject()
+    progress = []
+    observer = algorithm.AddObserver("ProgressEvent",
+                                     lambda caller, _: progress.append(caller.GetProgress()))
+    algorithm.Modified()
+    algorithm.Update()
+    testing.check(len(progress) > 5 and progress == sorted(progress) and progress[-1] <= 1.0 and
+                  progress[0] < 0.2, "progress rises: %s" % progress)
+    algorithm.RemoveObserver(observer)
+    observer = algorithm.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
+    algorithm.Modified()
+    algorithm.Update()
+    testing.check(algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0,
+                  "an abort leaves nothing half done")
+    algorithm.RemoveObserver(observer)
+    algorithm.SetAbortExecute(0)
+    algorithm.Modified()
+    algorithm.Update()
+    testing.check(algorithm.GetOutputDataObject(0).GetNumberOfPoints() > 0, "and can be mended")
+
 # Bad input
 sphere = simple.Sphere()
 empty = simple.Threshold(Input=source, Scalars=["POINTS", "Height"], LowerThreshold=9,

@@ -181,6 +181,3 @@ display.Blending = "Fragment Lists"
 simple.Render(view)
 testing.check(tell("NumberOfFragments") > 1000 and tell("NumberOfDroppedFragments") == 0 and
               tell("MeanDepthComplexity") > 1, "fragment lists tell what they hold")
-
-with open(os.path.join(testing.OUTPUT, "panels_properties.txt"), "w", encoding="utf-8") as file:
-    file.write("\n".join(sorted(display.ListProperties())))
