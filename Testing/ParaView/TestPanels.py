@@ -20,7 +20,7 @@ OWNERS = {"vtkVoxelLineMapper": REPRESENTATIONS[:1], "vtkLineGlobalIllumination"
 FOLDER = os.path.join(testing.SOURCE, "Module", "ParaView", "Representations")
 # Of representations: values to set, and what the object that draws prints then.
 ARRAYS = {"RadiusArray": ("Width", "RadiusArrayName", "Width"),
-          "TangentArray": ("Flow", "TangentArrayName", "Flow"),
+          "LineTangentArray": ("Flow", "TangentArrayName", "Flow"),
           "SpecularPowerArray": ("Height", "SpecularPowerArrayName", "Height"),
           "ImportanceArray": (["CELLS", "Helix"], "ImportanceArrayName", "Helix")}
 
