@@ -153,8 +153,8 @@ public:
   double GetMeanDepthComplexity();
   ///@}
 
-  /// Number of pictures whose mean was drawn last by the mapper by itself, up to AccumulationFrames;
-  /// 0 before the first one.
+  /// Number of pictures whose mean was drawn last by the mapper by itself, up to
+  /// AccumulationFrames; 0 before the first one.
   int GetNumberOfAccumulatedPictures();
 
   bool HasOpaqueGeometry() override { return false; }
