@@ -6,8 +6,9 @@
  *
  * Opacity optimization finds one opacity for each segment of a line and each patch of a surface,
  * smooths these along the geometry, and interpolates them at the vertices. See Baeza Rojo, Gross
- * and Guenther, "Fourier Opacity Optimization for Scalable Exploration", 2019, Sec. 4.1. This
- * filter makes the segments and what the interpolation needs:
+ * and Guenther, "Fourier Opacity Optimization for Scalable Exploration", 2019, Sec. 4.1.
+ *
+ * This filter makes the segments and what the interpolation needs:
  * 1. Lines are cut into segments of equal arc length.
  * 2. On surfaces, seeds are placed by geodesic farthest-point sampling; a patch is the set of
  *    vertices that are nearer to its seed than to any other (a geodesic Voronoi cell).
@@ -83,11 +84,11 @@ public:
 
   ///@{
   /**
-   * Number of segments of all lines together, 1 to 2^24-1, or 0 for 16 per line, but at most one
+   * Number of segments of all lines together, 0 to 2^24-1. Default 0: 16 per line, but at most one
    * for four points, and at least 50 000. Their length is the total length of the lines divided by
    * it; then each line gets a whole number of them, at least one, so that the total differs a
    * little. Lines of few segments have nearly the same opacity all along. The paper uses 20 000 to
-   * 150 000 (Sec. 5.5.2). Default 0. A value out of range is an error, and the old one stays.
+   * 150 000 (Sec. 5.5.2). A value out of range is an error, and the old one stays.
    */
   virtual void SetNumberOfLineSegments(int number);
   vtkGetMacro(NumberOfLineSegments, int);
@@ -95,9 +96,9 @@ public:
 
   ///@{
   /**
-   * Length of the segments of lines in world units, 0 or above; 0 for NumberOfLineSegments to
-   * rule. It is rounded so that each line has a whole number of segments. Default 0. A value out
-   * of range is an error, and the old one stays.
+   * Length of the segments of lines in world units, 0 or above. Default 0: NumberOfLineSegments
+   * rules. It is rounded so that each line has a whole number of segments. A value out of range is
+   * an error, and the old one stays.
    */
   virtual void SetSegmentLength(double length);
   vtkGetMacro(SegmentLength, double);
@@ -121,21 +122,21 @@ public:
   static void GetWeights(const int ids[3], const float distances[4], double weights[3]);
 
   ///@{
-  /// Numbers of segments that the last update made: all, and those of each kind.
+  /// Number of segments of all kinds that the last update made.
   int GetNumberOfSegments() const;
+  /// Those of each kind.
   vtkGetMacro(NumberOfSegmentsOfLines, int);
   vtkGetMacro(NumberOfSegmentsOfSurfaces, int);
   vtkGetMacro(NumberOfSegmentsOfPoints, int);
   ///@}
 
   ///@{
-  /**
-   * What the last update found: points that several lines, or lines, surfaces and vertex cells
-   * share; points that are not finite; and point ids that do not exist. The latter two count each
-   * use by a line or a vertex cell, and each point of the surfaces once.
-   */
+  /// Number of points that several lines, or lines, surfaces and vertex cells share.
   vtkGetMacro(NumberOfSharedPoints, vtkIdType);
+  /// Number of uses of points that are not finite, by lines and vertex cells; each point of the
+  /// surfaces counts once.
   vtkGetMacro(NumberOfNonFinitePoints, vtkIdType);
+  /// Number of uses of point ids that do not exist, counted alike.
   vtkGetMacro(NumberOfInvalidIds, vtkIdType);
   ///@}
 

@@ -148,6 +148,28 @@ void vtkFourierOpacityMapper::SetImportanceArrayName(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::SetImportanceArrayAssociation(int association)
+{
+  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
+    association != vtkDataObject::FIELD_ASSOCIATION_CELLS &&
+    association != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
+  {
+    vtkErrorMacro("ImportanceArrayAssociation "
+      << association << " is not valid: it must be that of points ("
+      << vtkDataObject::FIELD_ASSOCIATION_POINTS << "), of cells ("
+      << vtkDataObject::FIELD_ASSOCIATION_CELLS << ") or of points and else cells ("
+      << vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS << "). It stays "
+      << this->ImportanceArrayAssociation << ".");
+    return;
+  }
+  if (this->ImportanceArrayAssociation != association)
+  {
+    this->ImportanceArrayAssociation = association;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkFourierOpacityMapper::SetImportanceRange(double low, double high)
 {
   if (!std::isfinite(low) || !std::isfinite(high))
@@ -248,6 +270,7 @@ vtkFourierOpacityGroup vtkFourierOpacityMapper::UpdateElements()
   }
   vtkFourierOpacityVertices::Settings settings;
   settings.ArrayName = this->ImportanceArrayName;
+  settings.Association = this->ImportanceArrayAssociation;
   settings.Range[0] = this->ImportanceRange[0];
   settings.Range[1] = this->ImportanceRange[1];
   settings.NumberOfLineSegments = this->NumberOfLineSegments;
@@ -585,6 +608,7 @@ void vtkFourierOpacityMapper::ShallowCopy(vtkAbstractMapper* mapper)
   if (auto* other = vtkFourierOpacityMapper::SafeDownCast(mapper))
   {
     this->SetImportanceArrayName(other->ImportanceArrayName);
+    this->SetImportanceArrayAssociation(other->ImportanceArrayAssociation);
     this->SetImportanceRange(other->ImportanceRange);
     this->SetNumberOfLineSegments(other->NumberOfLineSegments);
     this->SetNumberOfPatches(other->NumberOfPatches);
@@ -598,6 +622,7 @@ void vtkFourierOpacityMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ImportanceArrayName: " << this->ImportanceArrayName << "\n";
+  os << indent << "ImportanceArrayAssociation: " << this->ImportanceArrayAssociation << "\n";
   os << indent << "ImportanceRange: " << this->ImportanceRange[0] << " " << this->ImportanceRange[1]
      << "\n";
   os << indent << "NumberOfLineSegments: " << this->NumberOfLineSegments << "\n";

@@ -46,6 +46,7 @@
 #ifndef vtkFourierOpacityMapper_h
 #define vtkFourierOpacityMapper_h
 
+#include "vtkDataObject.h" // For associations
 #include "vtkIlluminatedLineMapper.h"
 #include "vtkRenderingLineSetsModule.h" // For export macro
 
@@ -78,12 +79,21 @@ public:
 
   ///@{
   /**
-   * Name of the array that tells importance, of points or else of cells; of several components
-   * the length counts. A point of several cells is as important as the most important one. Default
-   * empty: the active scalars.
+   * Name of the array that tells importance; of several components the length counts. A point of
+   * several cells is as important as the most important one. Default empty: the active scalars.
    */
   virtual void SetImportanceArrayName(const std::string& name);
   vtkGetMacro(ImportanceArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * What the array that tells importance belongs to: vtkDataObject::FIELD_ASSOCIATION_POINTS,
+   * FIELD_ASSOCIATION_CELLS or, the default, FIELD_ASSOCIATION_POINTS_THEN_CELLS: points and, where
+   * these have no such array, cells. Another value is an error.
+   */
+  virtual void SetImportanceArrayAssociation(int association);
+  vtkGetMacro(ImportanceArrayAssociation, int);
   ///@}
 
   ///@{
@@ -99,8 +109,8 @@ public:
 
   ///@{
   /**
-   * Number of segments into which all lines are cut, 1 to 2^24-1, where the input has none; 0 for
-   * 16 per line, but at most one for four points, and at least 50 000. Default 0; paper 20 000 to
+   * Number of segments into which all lines are cut, 0 to 2^24-1, where the input has none. Default
+   * 0: 16 per line, but at most one for four points, and at least 50 000. The paper has 20 000 to
    * 150 000.
    */
   virtual void SetNumberOfLineSegments(int number);
@@ -123,24 +133,28 @@ public:
    */
   void ForgetOpacities();
 
-  /// Bytes on the graphics device for sums, layers and opacities, of the mapper by itself; and
-  /// those of the sums alone, which the paper counts. 0 before the first picture.
+  ///@{
+  /// Bytes on the graphics device for sums, layers and opacities, of the mapper by itself. 0 before
+  /// the first picture.
   vtkIdType GetNumberOfBytes();
+  /// Bytes on the graphics device for the sums alone, which the paper counts.
   vtkIdType GetNumberOfSumBytes();
+  ///@}
 
   ///@{
   /**
-   * Fragments of the last picture of the mapper by itself that was made with lists: their number,
-   * the number of those that were dropped since they did not fit (a warning tells it), and their
-   * mean number over the pixels that have any.
+   * Number of fragments of the last picture of the mapper by itself that was made with lists.
    */
   vtkIdType GetNumberOfFragments();
+  /// Number of fragments of that picture that were dropped since they did not fit, which a warning
+  /// tells.
   vtkIdType GetNumberOfDroppedFragments();
+  /// Mean number of fragments of that picture over the pixels that have any.
   double GetMeanDepthComplexity();
   ///@}
 
-  /// Number of pictures whose mean was drawn last by the mapper by itself
-  /// (vtkOpacityOptimization::SetAccumulationFrames()); 0 before the first one.
+  /// Number of pictures whose mean was drawn last by the mapper by itself, up to
+  /// AccumulationFrames; 0 before the first one.
   int GetNumberOfAccumulatedPictures();
 
   bool HasOpaqueGeometry() override { return false; }
@@ -169,6 +183,7 @@ protected:
     vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
 
   std::string ImportanceArrayName;
+  int ImportanceArrayAssociation = vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
   double ImportanceRange[2] = { 1.0, 0.0 };
   int NumberOfLineSegments = 0;
   int NumberOfPatches = 500;

@@ -46,8 +46,9 @@ double GetValue(vtkDataArray* array, vtkIdType tuple)
 //------------------------------------------------------------------------------
 bool vtkFourierOpacityVertices::Settings::operator==(const Settings& other) const
 {
-  return this->ArrayName == other.ArrayName && this->Range[0] == other.Range[0] &&
-    this->Range[1] == other.Range[1] && this->NumberOfLineSegments == other.NumberOfLineSegments &&
+  return this->ArrayName == other.ArrayName && this->Association == other.Association &&
+    this->Range[0] == other.Range[0] && this->Range[1] == other.Range[1] &&
+    this->NumberOfLineSegments == other.NumberOfLineSegments &&
     this->NumberOfPatches == other.NumberOfPatches;
 }
 
@@ -111,14 +112,20 @@ vtkDataArray* vtkFourierOpacityVertices::FindArray(vtkPolyData* input, bool& isC
                                         : input->GetPointData()->GetArray(name.c_str());
   vtkDataArray* onCells = name.empty() ? input->GetCellData()->GetScalars()
                                        : input->GetCellData()->GetArray(name.c_str());
+  const int association = this->Last.Association;
+  onPoints = association == vtkDataObject::FIELD_ASSOCIATION_CELLS ? nullptr : onPoints;
+  onCells = association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? nullptr : onCells;
   isCellArray = !onPoints && onCells;
   vtkDataArray* array = isCellArray ? onCells : onPoints;
   const std::string quoted = name.empty() ? "active scalars" : "array \"" + name + "\"";
   if (!array)
   {
-    this->Warnings.push_back("The input has no " + quoted +
-      " for points or cells that could tell importance: nothing is important, and everything is "
-      "opaque.");
+    const char* owners = association == vtkDataObject::FIELD_ASSOCIATION_POINTS
+      ? " for points"
+      : (association == vtkDataObject::FIELD_ASSOCIATION_CELLS ? " for cells"
+                                                               : " for points or cells");
+    this->Warnings.push_back("The input has no " + quoted + owners +
+      " that could tell importance: nothing is important, and everything is opaque.");
     return nullptr;
   }
   const vtkIdType wanted = isCellArray ? input->GetNumberOfCells() : input->GetNumberOfPoints();

@@ -13,6 +13,7 @@
 #ifndef vtkFourierOpacityVertices_h
 #define vtkFourierOpacityVertices_h
 
+#include "vtkDataObject.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -33,8 +34,9 @@ class VTKRENDERINGLINESETS_EXPORT vtkFourierOpacityVertices
 public:
   struct Settings
   {
-    /// Name of a point or cell array, or empty for the active scalars.
+    /// Name of a point or cell array, or empty for the active scalars, and what it belongs to.
     std::string ArrayName;
+    int Association = vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
     /// Values that are mapped to 0 and 1; the array's own range where the first is above the
     /// second.
     double Range[2] = { 1.0, 0.0 };

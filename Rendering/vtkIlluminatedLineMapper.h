@@ -96,14 +96,15 @@ public:
 
   ///@{
   /**
-   * What happens along a lit line within so many pixels of the screen is not told apart:
-   * consecutive segments that are together no longer are drawn as one, unless that would move the
-   * line by more than an eighth of it, and where no segment is longer, light is computed for each
-   * point and interpolated, not for each pixel. Colours of the points in between do not count then.
-   * Line sets often have many points to a pixel, and the time goes by the segment. Default 3: lines
-   * move by at most three eighths of a pixel. 0: every segment is drawn, as always where cells have
-   * colours, are selected, or lines are not lit, and is lit for each pixel. A negative value,
-   * infinity or NaN is an error.
+   * Consecutive segments of a lit line that are together no longer than so many pixels of the
+   * screen, 0 or above, are drawn as one, unless that would move the line by more than an eighth of
+   * it: line sets often have many points to a pixel, and the time goes by the segment. Default 3:
+   * lines move by at most three eighths of a pixel. 0: every segment is drawn.
+   *
+   * Where no segment is longer, light is computed for each point and interpolated, not for each
+   * pixel. Colours of the points in between do not count. Where cells have colours, are selected,
+   * or lines are not lit, every segment is drawn as with 0. A negative value, infinity or NaN is an
+   * error.
    */
   virtual void SetMergeLength(double pixels);
   vtkGetMacro(MergeLength, double);

@@ -79,7 +79,9 @@ public:
 
   ///@{
   /**
-   * Kind of shadows (ShadowType). Default NoShadows. Another value is an error.
+   * What stops light on its way to a line (ShadowType): HardShadows are cast by the tubes,
+   * LevelShadows by fewer and wider lines that stand for them, SoftShadows by the density of the
+   * lines. Headlights cast none. Default NoShadows. Another value is an error.
    */
   virtual void SetShadows(int type);
   vtkGetMacro(Shadows, int);
@@ -91,7 +93,7 @@ public:
 
   ///@{
   /**
-   * Level of detail whose representative lines cast level shadows, from 1 to 12; where the model
+   * Level of detail whose representative lines cast level shadows, 1 to 12; where the model
    * has fewer levels, its coarsest one is taken. Default 1, as in the paper. A value out of range
    * is an error.
    */
@@ -112,7 +114,10 @@ public:
 
   ///@{
   /**
-   * Kind of ambient occlusion (OcclusionType). Default NoOcclusion. Another value is an error.
+   * How what surrounds a point dims its light (OcclusionType): SphericalOcclusion looks to all
+   * sides of a voxel and is computed once; HemisphereDensity and HemisphereTubes look to above the
+   * surface for each pixel, through densities or the tubes, at many times the cost. Default
+   * NoOcclusion. Another value is an error.
    */
   virtual void SetOcclusion(int type);
   vtkGetMacro(Occlusion, int);

@@ -80,7 +80,9 @@ public:
 
   ///@{
   /**
-   * Which facets count (ModelType). Default CylinderAveraging. Another value is an error.
+   * Which facets of the thin cylinder that stands for a line count (ModelType). Default
+   * CylinderAveraging, as bright as a tube from afar; MaximumReflection is brighter, and light from
+   * behind looks like light from the front. Another value is an error.
    */
   virtual void SetModel(int model);
   vtkGetMacro(Model, int);
@@ -90,8 +92,11 @@ public:
 
   ///@{
   /**
-   * How a facet shines (ReflectionType). Default Phong. A headlight that is the only light shines
-   * as VTK lets it, by (L.N)^n, with Phong. Another value is an error.
+   * How a facet shines (ReflectionType). Default Phong. The same exponent gives a highlight about
+   * twice as wide with Blinn.
+   *
+   * A headlight that is the only light shines as VTK lets it, by (L.N)^n, with Phong. Another value
+   * is an error.
    */
   virtual void SetReflection(int reflection);
   vtkGetMacro(Reflection, int);
@@ -112,10 +117,12 @@ public:
 
   ///@{
   /**
-   * Largest error of the table, measured in the middle of its edges and cells, 1e-4 to 0.1, from
-   * which its size follows. Default 1/4096: the specular term is then right to less than 1/1024,
-   * and the table is made in about 25 ms, at 1e-4 in about 100 ms. Shared by all who use the same
-   * value. A value out of range is an error.
+   * Largest error of the table of the specular average, 1e-4 to 0.1, from which its size follows.
+   * Default 1/4096: the specular term is then right to less than 1/1024.
+   *
+   * It is measured in the middle of the table's edges and cells. The table is made in about 25 ms,
+   * at 1e-4 in about 100 ms, and shared by all who use the same value. A value out of range is an
+   * error.
    */
   virtual void SetTableTolerance(double tolerance);
   vtkGetMacro(TableTolerance, double);
@@ -125,7 +132,7 @@ public:
   /**
    * Whether diffuse and specular terms are scaled so that a line across the view, lit from the
    * viewer, reaches 1, as a surface does (Mallo et al., Sec. 2.3.2): as if lights were brighter.
-   * Default false: a line is as bright as a tube from afar, whose diffuse average never exceeds
+   * Default off: a line is as bright as a tube from afar, whose diffuse average never exceeds
    * pi/4 and whose highlight fades with the exponent. Without effect on MaximumReflection.
    */
   vtkSetMacro(StretchDynamicRange, bool);

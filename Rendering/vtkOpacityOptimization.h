@@ -126,7 +126,9 @@ public:
    * twentieth of a change is left. Default 0, at once. They also follow at once where the picture
    * has another size or kind of projection, or the view jumps: a turn by more than 20 degrees, a
    * zoom by more than a half, or a step of more than half the range of depths and a third of the
-   * nearest distance. Pictures are only drawn when asked for: an application renders on until the
+   * nearest distance.
+   *
+   * Pictures are only drawn when asked for: an application renders on until the
    * time is over.
    */
   virtual void SetTransitionTime(double seconds);
@@ -220,7 +222,7 @@ public:
   ///@{
   /**
    * Whether the series of a pixel's optical depth spans only the depths of what that pixel shows,
-   * in place of those of the whole scene. Default true. Counts for Fourier alone.
+   * in place of those of the whole scene. Default on. Counts for Fourier alone.
    */
   vtkSetMacro(TightDepth, bool);
   vtkGetMacro(TightDepth, bool);

@@ -131,7 +131,6 @@ vtkStandardNewMacro(vtkVoxelLineMapper);
 vtkVoxelLineMapper::vtkVoxelLineMapper()
   : Internals(new vtkInternals(this))
 {
-  this->InteriorTolerance = this->Internals->Source.GetDefaultInteriorTolerance();
 }
 
 //------------------------------------------------------------------------------

@@ -108,15 +108,19 @@ public:
   ///@{
   /**
    * Radius of the tubes, in units of the data, 0 or above; the actor's matrix scales it with the
-   * data. Default 0: 1/512 of the longest side of the lines' bounds, by which
-   * a tube is as wide as a voxel of the default Resolution. Without effect where the
-   * model has radii of its own; see RadiusArrayName. A negative or not finite value is an error.
+   * data. Default 0: 1/512 of the longest side of the lines' bounds, by which a tube is as wide as
+   * a voxel of the default resolution. Without effect where there is an array of radii.
+   *
+   * A shared model may have radii of its own; see RadiusArrayName. A negative or not finite value
+   * is an error.
    */
   virtual void SetRadius(double radius);
   vtkGetMacro(Radius, double);
   ///@}
 
-  /// Radius that is drawn, in units of the data; updates the model. Of several radii the largest.
+  /**
+   * Radius that is drawn, in units of the data. Of several radii the largest. Updates the model.
+   */
   double GetRadiusInUse();
 
   ///@{
@@ -130,8 +134,10 @@ public:
 
   ///@{
   /**
-   * Number of voxels along the longest side of the lines' bounds, 1 or above. Default 256. Only for
-   * vtkPolyData; see vtkLineVoxelizer. A value out of range is an error.
+   * Number of voxels along the longest side of the lines' bounds, 1 to 4096. Default 256. More
+   * voxels make thin tubes faster to draw, and take more time and memory to build.
+   *
+   * Only for vtkPolyData; see vtkLineVoxelizer. A value out of range is an error.
    */
   virtual void SetResolution(int resolution);
   vtkGetMacro(Resolution, int);
@@ -140,8 +146,10 @@ public:
   ///@{
   /**
    * Bins along the edge of a voxel face to which points are rounded: a power of two from 2 to 2048,
-   * or 0 for exact points. Default 32. Only for vtkPolyData; see vtkLineVoxelizer. Another value is
-   * an error.
+   * or 0 for exact points. Default 32. Up to 32 bins, a segment takes 4 bytes, above 8, and exact
+   * ones 24.
+   *
+   * Only for vtkPolyData; see vtkLineVoxelizer. Another value is an error.
    */
   virtual void SetFaceBins(int bins);
   vtkGetMacro(FaceBins, int);
@@ -150,8 +158,9 @@ public:
   ///@{
   /**
    * How far a line may deviate inside a voxel before its points there are kept, in voxels, 0 or
-   * above. Default: vtkLineVoxelizer's. With infinity no such point is kept. Only for vtkPolyData.
-   * A negative value or NaN is an error.
+   * above. Default 0.1. With infinity no such point is kept.
+   *
+   * Only for vtkPolyData; see vtkLineVoxelizer. A negative value or NaN is an error.
    */
   virtual void SetInteriorTolerance(double tolerance);
   vtkGetMacro(InteriorTolerance, double);
@@ -160,7 +169,9 @@ public:
   ///@{
   /**
    * Opacity at which a ray ends, 0 to 1. Default 0.99 (Kanzler et al., Sec. 4). 1: a ray ends only
-   * behind an opaque line; 0: at its first line. A value out of range is an error.
+   * behind an opaque line; 0: at its first line.
+   *
+   * A value out of range is an error.
    */
   virtual void SetEarlyTermination(double opacity);
   vtkGetMacro(EarlyTermination, double);
@@ -172,8 +183,9 @@ public:
    * through ever coarser densities of the lines, which is faster, and takes the colour of the lines
    * in front (opacity acceleration; Kanzler et al., Sec. 4.1.1). What is behind the lines shows
    * through by how much the lines leave of it on the mean. Default 1: never. Without effect on
-   * opaque lines, and on rays that end before, see EarlyTermination. docs/design.md has times and
-   * errors. A value out of range is an error.
+   * opaque lines, and on rays that end before, see EarlyTermination.
+   *
+   * docs/design.md has times and errors. A value out of range is an error.
    */
   virtual void SetOpacityAcceleration(double opacity);
   vtkGetMacro(OpacityAcceleration, double);
@@ -181,10 +193,11 @@ public:
 
   ///@{
   /**
-   * Where rays are cast (EngineType). Default Automatic: on the processor where GL_RENDERER names a
-   * software renderer (llvmpipe, softpipe, SWR, swrast, SwiftShader, Software Rasterizer, GDI
-   * Generic, Microsoft Basic Render), else in a shader. Both give the same picture. Another value
-   * is an error.
+   * Where rays are cast (EngineType). Default Automatic: on the processor where OpenGL is rendered
+   * by software, else in a shader. Both give the same picture.
+   *
+   * Software is what GL_RENDERER names llvmpipe, softpipe, SWR, swrast, SwiftShader, Software
+   * Rasterizer, GDI Generic or Microsoft Basic Render. Another value is an error.
    */
   virtual void SetEngine(int engine);
   vtkGetMacro(Engine, int);
@@ -247,9 +260,9 @@ public:
    * (Mallo, Peikert, Sigg and Sadlo, "Illuminated Lines Revisited", 2005, Sec. 2.2); between one
    * and two pixels the light changes over to that of a surface, which has the same average. So the
    * brightness of the picture stays the same as the camera moves away, and no line is lost between
-   * pixels.
-   * Selection finds such tubes one pixel wide. Default true. Off: each pixel shows what lies at its
-   * centre, with the light of a surface. A tube of radius 0 is invisible in either case.
+   * pixels. Default on. Off: each pixel shows what lies at its centre, with the light of a surface.
+   *
+   * Selection finds such tubes one pixel wide. A tube of radius 0 is invisible in either case.
    *
    * A pixel's width is its larger side in the coordinates of the data: an actor scaled unevenly
    * widens some tubes to more than a pixel. A line that passes itself within the width of a pixel
@@ -292,7 +305,9 @@ public:
 
   /**
    * Number of pictures whose mean was drawn last: 0 before the first frame, 1 where the last frame
-   * showed a change, up to AccumulationFrames. An application that draws when it is idle can stop
+   * showed a change, up to AccumulationFrames.
+   *
+   * An application that draws when it is idle can stop
    * when that is reached, or when the number does not rise from one frame to the next.
    */
   int GetNumberOfAccumulatedPictures();
@@ -300,12 +315,14 @@ public:
   ///@{
   /**
    * Whether the opacity of a tube depends on how far a ray goes inside it (Kanzler et al., Sec.
-   * 4.1.1). A tube's opacity a, that of the property times that of its colour, is then that of a
-   * ray through its whole diameter 2r; a ray that is inside for a length l, in units of the data,
-   * is covered by 1 - (1 - a)^(l / 2r). So tubes fade towards their edges, and are denser where
-   * they are seen along their axis. How far a ray goes in all tubes of a curve that overlap on its
-   * way counts once. Opaque tubes stay opaque. Default false: each tube that a ray enters has
-   * opacity a, whatever its way inside.
+   * 4.1.1): tubes fade towards their edges, and are denser where they are seen along their axis.
+   * Opaque tubes stay opaque. Default off: each tube that a ray enters has the same opacity,
+   * whatever its way inside.
+   *
+   * A tube's opacity a, that of the property times that of its colour, is then that of a ray
+   * through its whole diameter 2r; a ray that is inside for a length l, in units of the data, is
+   * covered by 1 - (1 - a)^(l / 2r). How far a ray goes in all tubes of a curve that overlap on its
+   * way counts once.
    */
   vtkSetMacro(OpacityByPathLength, bool);
   vtkGetMacro(OpacityByPathLength, bool);
@@ -314,14 +331,15 @@ public:
 
   ///@{
   /**
-   * Speed or completeness (QualityType; Kanzler et al., Sec. 4.1). Still: tubes are whole.
-   * Interactive: a ray looks only into the voxels that it passes, which is faster, but parts of
-   * tubes that reach out of the voxels of their line are missing, the more, the wider tubes are
-   * compared to voxels; and transparent ones may be blended in the wrong order where they reach
-   * into the voxel before. Automatic, the default: Interactive where the render window's
-   * DesiredUpdateRate is 1 per second or above, as it is while vtkRenderWindowInteractor moves
-   * something, else Still, as in a window without an interactor. Selection and rays to lights take
-   * whole tubes. Another value is an error.
+   * Speed or completeness (Kanzler et al., Sec. 4.1). Whole tubes or, faster, those parts of them
+   * that lie in voxels which a ray passes: what reaches out of the voxels of its line is missing,
+   * the more, the wider tubes are compared to voxels, and transparent tubes may be blended in the
+   * wrong order there. Default AutomaticQuality: the faster one during interaction.
+   *
+   * Automatic means Interactive where the render window's DesiredUpdateRate is 1 per second or
+   * above, as it is while vtkRenderWindowInteractor moves something, else Still, as in a window
+   * without an interactor. Selection and rays to lights take whole tubes. Another value is an
+   * error.
    */
   virtual void SetQuality(int quality);
   vtkGetMacro(Quality, int);
@@ -330,7 +348,7 @@ public:
   void SetQualityToStill() { this->SetQuality(StillQuality); }
   ///@}
 
-  /// Quality of the last frame: Interactive or Still; Automatic before the first one.
+  /// Quality of the last frame: InteractiveQuality or StillQuality; AutomaticQuality before it.
   vtkGetMacro(QualityInUse, int);
 
   /// Engine of the last frame: Native or Shader; Automatic before the first one.
@@ -347,9 +365,10 @@ public:
 
   /**
    * Seconds spent on what shadows and ambient occlusion are looked up in (densities, occlusion of
-   * voxels, the lines of a level), the last time that any of it had to be computed; 0 before. It is
-   * computed when a frame needs it and the model, its opacity or a parameter changed, but not for
-   * camera or lights.
+   * voxels, the lines of a level), the last time that any of it had to be computed; 0 before.
+   *
+   * It is computed when a frame needs it and the model, its opacity or a parameter changed, but not
+   * for camera or lights.
    */
   double GetLightBuildTime();
 
@@ -404,7 +423,7 @@ protected:
   std::string RadiusArrayName;
   int Resolution = 256;
   int FaceBins = 32;
-  double InteriorTolerance = 0.0;
+  double InteriorTolerance = 0.1;
   double EarlyTermination = 0.99;
   double OpacityAcceleration = 1.0;
   int Engine = Automatic;

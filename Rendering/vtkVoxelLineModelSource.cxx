@@ -45,12 +45,6 @@ vtkVoxelLineModelSource::vtkVoxelLineModelSource()
 vtkVoxelLineModelSource::~vtkVoxelLineModelSource() = default;
 
 //------------------------------------------------------------------------------
-double vtkVoxelLineModelSource::GetDefaultInteriorTolerance() const
-{
-  return this->Voxelizer->GetInteriorTolerance();
-}
-
-//------------------------------------------------------------------------------
 void vtkVoxelLineModelSource::SetModel(vtkVoxelLineModel* model)
 {
   if (this->Input)

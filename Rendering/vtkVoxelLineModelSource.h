@@ -54,9 +54,6 @@ public:
   /// The lines that the model was made of; nullptr where they are not known.
   vtkPolyData* GetLines() const { return this->Input; }
 
-  /// Default of the voxelizer.
-  double GetDefaultInteriorTolerance() const;
-
   /// Whether the model has direct colours that let something through.
   bool HasTranslucentColors();
 

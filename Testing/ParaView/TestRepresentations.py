@@ -16,7 +16,7 @@ for name in ("Voxel Lines", "Illuminated Lines", "Fourier Opacity"):
     if name == "Voxel Lines":
         display.Radius = 0.02
     if name == "Fourier Opacity":
-        display.ImportanceArray = "Height"
+        display.ImportanceArray = ["POINTS", "Height"]
     key = "TestRepresentations" + name.replace(" ", "")
     pictures[key] = testing.take_picture(view, key)
 for key, picture in pictures.items():

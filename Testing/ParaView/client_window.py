@@ -28,7 +28,7 @@ for view, name in zip(views, ("Voxel Lines", "Illuminated Lines", "Fourier Opaci
         display.Radius = 0.02
         display.SetScalarBarVisibility(view, True)
     if name == "Fourier Opacity":
-        display.ImportanceArray = "Height"
+        display.ImportanceArray = ["POINTS", "Height"]
     simple.SetActiveView(view)
     testing.look_from(view, zoom=1.0)
 simple.SetActiveView(first)

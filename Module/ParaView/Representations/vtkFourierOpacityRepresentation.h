@@ -8,23 +8,59 @@
 #ifndef vtkFourierOpacityRepresentation_h
 #define vtkFourierOpacityRepresentation_h
 
-#include "vtkLineSetsRepresentation.h"
+#include "vtkIlluminatedLinesRepresentation.h"
 #include "vtkParaViewLineSetsModule.h" // For export macro
 
-class VTKPARAVIEWLINESETS_EXPORT vtkFourierOpacityRepresentation : public vtkLineSetsRepresentation
+class VTKPARAVIEWLINESETS_EXPORT vtkFourierOpacityRepresentation
+  : public vtkIlluminatedLinesRepresentation
 {
 public:
   static vtkFourierOpacityRepresentation* New();
-  vtkTypeMacro(vtkFourierOpacityRepresentation, vtkLineSetsRepresentation);
+  vtkTypeMacro(vtkFourierOpacityRepresentation, vtkIlluminatedLinesRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Array of points or cells that tells how important each part is; of several components the
+   * length counts. A point of several cells is as important as the most important one.
+   *
+   * The first three arguments, by which ParaView names inputs, have no meaning here. See
+   * vtkFourierOpacityMapper::SetImportanceArrayName() and SetImportanceArrayAssociation(). Without
+   * a name, the active scalars count.
+   */
+  void SetImportanceArray(int index, int port, int connection, int association, const char* name);
+
+  ///@{
+  /**
+   * Whether the values that count as unimportant and as most important are chosen by hand, so that
+   * they stay as data and time change. Default off: the range of the array counts.
+   */
+  void SetUseImportanceRange(bool use);
+  vtkGetMacro(UseImportanceRange, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Values of the array that count as unimportant and as most important; others lie between or are
+   * clamped. Default (0, 1).
+   *
+   * The first must not be above the second.
+   */
+  void SetImportanceRange(double low, double high);
+  vtkGetVector2Macro(ImportanceRange, double);
+  ///@}
 
 protected:
   vtkFourierOpacityRepresentation();
   ~vtkFourierOpacityRepresentation() override;
 
+  bool UseImportanceRange = false;
+  double ImportanceRange[2] = { 0.0, 1.0 };
+
 private:
   vtkFourierOpacityRepresentation(const vtkFourierOpacityRepresentation&) = delete;
   void operator=(const vtkFourierOpacityRepresentation&) = delete;
+
+  void UpdateImportanceRange();
 };
 
 #endif

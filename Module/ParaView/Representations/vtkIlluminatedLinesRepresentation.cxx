@@ -19,6 +19,24 @@ vtkIlluminatedLinesRepresentation::vtkIlluminatedLinesRepresentation()
 vtkIlluminatedLinesRepresentation::~vtkIlluminatedLinesRepresentation() = default;
 
 //------------------------------------------------------------------------------
+void vtkIlluminatedLinesRepresentation::SetTangentArrayName(const char* name)
+{
+  if (auto* mapper = vtkIlluminatedLineMapper::SafeDownCast(this->GetLineMapper()))
+  {
+    mapper->SetTangentArrayName(GetArrayName(name));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIlluminatedLinesRepresentation::SetSpecularPowerArrayName(const char* name)
+{
+  if (auto* mapper = vtkIlluminatedLineMapper::SafeDownCast(this->GetLineMapper()))
+  {
+    mapper->SetSpecularPowerArrayName(GetArrayName(name));
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkIlluminatedLinesRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -52,6 +52,12 @@ vtkPolyDataMapper* vtkLineSetsRepresentation::GetLineMapper()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkLineSetsRepresentation::GetArrayName(const char* name)
+{
+  return name && std::string(name) != "None" ? name : "";
+}
+
+//------------------------------------------------------------------------------
 int vtkLineSetsRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {

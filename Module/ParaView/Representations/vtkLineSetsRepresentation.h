@@ -21,6 +21,7 @@
 #include "vtkParaViewLineSetsModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
+#include <string> // For std::string
 
 class vtkLineSetsBlocks;
 class vtkPolyDataMapper;
@@ -45,6 +46,9 @@ protected:
   ~vtkLineSetsRepresentation() override;
 
   vtkPolyDataMapper* GetLineMapper();
+
+  /// Name of an array as the mappers take it: empty where a list offers "None".
+  static std::string GetArrayName(const char* name);
 
 private:
   vtkLineSetsRepresentation(const vtkLineSetsRepresentation&) = delete;

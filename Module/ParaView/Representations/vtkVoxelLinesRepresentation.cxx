@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVoxelLinesRepresentation.h"
 
-#include "vtkVoxelLineMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkVoxelLineMapper.h"
 
 vtkStandardNewMacro(vtkVoxelLinesRepresentation);
 
@@ -17,6 +17,15 @@ vtkVoxelLinesRepresentation::vtkVoxelLinesRepresentation()
 
 //------------------------------------------------------------------------------
 vtkVoxelLinesRepresentation::~vtkVoxelLinesRepresentation() = default;
+
+//------------------------------------------------------------------------------
+void vtkVoxelLinesRepresentation::SetRadiusArrayName(const char* name)
+{
+  if (auto* mapper = vtkVoxelLineMapper::SafeDownCast(this->GetLineMapper()))
+  {
+    mapper->SetRadiusArrayName(GetArrayName(name));
+  }
+}
 
 //------------------------------------------------------------------------------
 void vtkVoxelLinesRepresentation::PrintSelf(ostream& os, vtkIndent indent)

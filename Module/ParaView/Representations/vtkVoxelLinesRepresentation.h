@@ -18,6 +18,14 @@ public:
   vtkTypeMacro(vtkVoxelLinesRepresentation, vtkLineSetsRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Point array of the input with one radius per point, in units of the data. Default "None": all
+   * tubes have the same radius.
+   *
+   * See vtkVoxelLineMapper::SetRadiusArrayName(). An empty name and nullptr mean "None" as well.
+   */
+  void SetRadiusArrayName(const char* name);
+
 protected:
   vtkVoxelLinesRepresentation();
   ~vtkVoxelLinesRepresentation() override;

@@ -129,6 +129,22 @@ void CheckArrays(Checks& check, Messages* messages)
   noScalars.Actor->GetProperty()->SetColor(0.0, 1.0, 0.0);
   CheckOpaque(check, "no scalars", noScalars, messages, "no active scalars");
 
+  // The kind that was asked for counts, though the other one has the array.
+  Scene onPoints;
+  onPoints.Mapper->SetImportanceArrayAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  onPoints.Data->GetPointData()->AddArray(MakeArray(1, { 0, 0, 0, 0, 1, 1, 1, 1 }));
+  CheckOpaque(
+    check, "on points, not on cells", onPoints, messages, "no array \"Importance\" for cells");
+  Scene onCells;
+  onCells.Mapper->SetImportanceArrayAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  onCells.Data->GetCellData()->AddArray(MakeArray(1, { 0, 1 }));
+  CheckOpaque(
+    check, "on cells, not on points", onCells, messages, "no array \"Importance\" for points");
+  onCells.Mapper->SetImportanceArrayAssociation(vtkDataObject::FIELD_ASSOCIATION_NONE);
+  check(messages->TakeErrors("ImportanceArrayAssociation 2 is not valid") == 1 &&
+      onCells.Mapper->GetImportanceArrayAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS,
+    "an association that is none of these is an error");
+
   // Integers are numbers: the square in front fades.
   Scene integers;
   vtkNew<vtkIntArray> numbers;
