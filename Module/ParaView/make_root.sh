@@ -21,7 +21,7 @@ packages=(
   liblz4-dev liblzma-dev libnetcdf-dev libogg-dev libopenmpi-dev libpng-dev libproj-dev
   libprotobuf-dev libpugixml-dev libpython3-dev libsqlite3-dev libswscale-dev libtheora-dev
   libtiff-dev libutfcpp-dev libx11-dev libxcursor-dev libxml2-dev libxt-dev nlohmann-json3-dev
-  protobuf-compiler qt6-5compat-dev qt6-base-dev qt6-svg-dev qt6-tools-dev zlib1g-dev
+  protobuf-compiler qt6-5compat-dev qt6-base-dev qt6-svg-dev qt6-svg-plugins qt6-tools-dev zlib1g-dev
 )
 case "$version" in
   5.13) suite=trixie ;;
