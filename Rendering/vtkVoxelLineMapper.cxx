@@ -594,6 +594,10 @@ void vtkVoxelLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetAccumulationFrames(other->AccumulationFrames);
     this->SetOpacityByPathLength(other->OpacityByPathLength);
     this->SetQuality(other->Quality);
+    this->SetPointIdArrayName(other->GetPointIdArrayName());
+    this->SetCellIdArrayName(other->GetCellIdArrayName());
+    this->SetCompositeIdArrayName(other->GetCompositeIdArrayName());
+    this->SetProcessIdArrayName(other->GetProcessIdArrayName());
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -616,6 +620,10 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityByPathLength: " << (this->OpacityByPathLength ? "On" : "Off") << "\n";
   os << indent << "Quality: " << this->Quality << "\n";
   os << indent << "QualityInUse: " << this->QualityInUse << "\n";
+  os << indent << "PointIdArrayName: " << this->PointIdArrayName << "\n";
+  os << indent << "CellIdArrayName: " << this->CellIdArrayName << "\n";
+  os << indent << "CompositeIdArrayName: " << this->CompositeIdArrayName << "\n";
+  os << indent << "ProcessIdArrayName: " << this->ProcessIdArrayName << "\n";
   os << indent << "NumberOfReceivers: " << this->GetNumberOfReceivers() << "\n";
   os << indent << "Illumination:\n";
   this->Internals->Illumination->PrintSelf(os, indent.GetNextIndent());

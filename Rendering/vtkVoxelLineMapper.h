@@ -382,6 +382,38 @@ public:
   /// Selection works as the class description tells.
   bool GetSupportsSelection() override { return true; }
 
+  ///@{
+  /**
+   * Arrays of the input that hold the ids which a selection is to tell in place of the input's own:
+   * a point array and a cell array of vtkIdTypeArray. nullptr or empty, the default: the input's
+   * own ids. An array that is missing, of another type or not of one component counts for nothing.
+   * Only for vtkPolyData, as for vtkOpenGLPolyDataMapper.
+   */
+  vtkSetStdStringFromCharMacro(PointIdArrayName);
+  vtkGetCharFromStdStringMacro(PointIdArrayName);
+  vtkSetStdStringFromCharMacro(CellIdArrayName);
+  vtkGetCharFromStdStringMacro(CellIdArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * Array of the input's cells, a vtkUnsignedIntArray, that holds the composite index which a
+   * selection is to tell; nullptr or empty, the default: 1. Else as CellIdArrayName.
+   */
+  vtkSetStdStringFromCharMacro(CompositeIdArrayName);
+  vtkGetCharFromStdStringMacro(CompositeIdArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * Array of the input's points, a vtkUnsignedIntArray, that holds the process which a selection is
+   * to tell, for a selector whose UseProcessIdFromData is on: that of a line's first point. nullptr
+   * or empty, the default: the selector's. Else as PointIdArrayName.
+   */
+  vtkSetStdStringFromCharMacro(ProcessIdArrayName);
+  vtkGetCharFromStdStringMacro(ProcessIdArrayName);
+  ///@}
+
   /// Modification time of the mapper, its lookup table, its illumination and global illumination.
   vtkMTimeType GetMTime() override;
 
@@ -415,6 +447,10 @@ protected:
   int AccumulationFrames = 1;
   bool OpacityByPathLength = false;
   double ModelBuildTime = 0.0;
+  std::string PointIdArrayName;
+  std::string CellIdArrayName;
+  std::string CompositeIdArrayName;
+  std::string ProcessIdArrayName;
 
 private:
   vtkVoxelLineMapper(const vtkVoxelLineMapper&) = delete;

@@ -19,6 +19,18 @@ vtkFourierOpacityRepresentation::vtkFourierOpacityRepresentation()
 vtkFourierOpacityRepresentation::~vtkFourierOpacityRepresentation() = default;
 
 //------------------------------------------------------------------------------
+std::vector<std::string> vtkFourierOpacityRepresentation::GetArraysInUse()
+{
+  auto* mapper = vtkFourierOpacityMapper::SafeDownCast(this->GetLineMapper());
+  if (!mapper)
+  {
+    return {};
+  }
+  return { mapper->GetImportanceArrayName(), mapper->GetTangentArrayName(),
+    mapper->GetSpecularPowerArrayName() };
+}
+
+//------------------------------------------------------------------------------
 void vtkFourierOpacityRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

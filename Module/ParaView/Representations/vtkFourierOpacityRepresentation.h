@@ -22,6 +22,8 @@ protected:
   vtkFourierOpacityRepresentation();
   ~vtkFourierOpacityRepresentation() override;
 
+  std::vector<std::string> GetArraysInUse() override;
+
 private:
   vtkFourierOpacityRepresentation(const vtkFourierOpacityRepresentation&) = delete;
   void operator=(const vtkFourierOpacityRepresentation&) = delete;

@@ -19,6 +19,17 @@ vtkIlluminatedLinesRepresentation::vtkIlluminatedLinesRepresentation()
 vtkIlluminatedLinesRepresentation::~vtkIlluminatedLinesRepresentation() = default;
 
 //------------------------------------------------------------------------------
+std::vector<std::string> vtkIlluminatedLinesRepresentation::GetArraysInUse()
+{
+  auto* mapper = vtkIlluminatedLineMapper::SafeDownCast(this->GetLineMapper());
+  if (!mapper)
+  {
+    return {};
+  }
+  return { mapper->GetTangentArrayName(), mapper->GetSpecularPowerArrayName() };
+}
+
+//------------------------------------------------------------------------------
 void vtkIlluminatedLinesRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -11,7 +11,8 @@
 #include "vtkLineSetsRepresentation.h"
 #include "vtkParaViewLineSetsModule.h" // For export macro
 
-class VTKPARAVIEWLINESETS_EXPORT vtkIlluminatedLinesRepresentation : public vtkLineSetsRepresentation
+class VTKPARAVIEWLINESETS_EXPORT vtkIlluminatedLinesRepresentation
+  : public vtkLineSetsRepresentation
 {
 public:
   static vtkIlluminatedLinesRepresentation* New();
@@ -21,6 +22,8 @@ public:
 protected:
   vtkIlluminatedLinesRepresentation();
   ~vtkIlluminatedLinesRepresentation() override;
+
+  std::vector<std::string> GetArraysInUse() override;
 
 private:
   vtkIlluminatedLinesRepresentation(const vtkIlluminatedLinesRepresentation&) = delete;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVoxelLinesRepresentation.h"
 
-#include "vtkVoxelLineMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkVoxelLineMapper.h"
 
 vtkStandardNewMacro(vtkVoxelLinesRepresentation);
 
@@ -17,6 +17,17 @@ vtkVoxelLinesRepresentation::vtkVoxelLinesRepresentation()
 
 //------------------------------------------------------------------------------
 vtkVoxelLinesRepresentation::~vtkVoxelLinesRepresentation() = default;
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkVoxelLinesRepresentation::GetArraysInUse()
+{
+  auto* mapper = vtkVoxelLineMapper::SafeDownCast(this->GetLineMapper());
+  if (!mapper)
+  {
+    return {};
+  }
+  return { mapper->GetRadiusArrayName() };
+}
 
 //------------------------------------------------------------------------------
 void vtkVoxelLinesRepresentation::PrintSelf(ostream& os, vtkIndent indent)

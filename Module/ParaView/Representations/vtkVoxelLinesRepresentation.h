@@ -22,6 +22,9 @@ protected:
   vtkVoxelLinesRepresentation();
   ~vtkVoxelLinesRepresentation() override;
 
+  bool IsThinned() override { return false; }
+  std::vector<std::string> GetArraysInUse() override;
+
 private:
   vtkVoxelLinesRepresentation(const vtkVoxelLinesRepresentation&) = delete;
   void operator=(const vtkVoxelLinesRepresentation&) = delete;
