@@ -31,6 +31,12 @@ std::vector<std::string> vtkFourierOpacityRepresentation::GetArraysInUse()
 }
 
 //------------------------------------------------------------------------------
+void vtkFourierOpacityRepresentation::CheckLines(vtkPolyData* lines)
+{
+  this->CheckColorArray(lines);
+}
+
+//------------------------------------------------------------------------------
 void vtkFourierOpacityRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -23,6 +23,7 @@ protected:
   ~vtkFourierOpacityRepresentation() override;
 
   std::vector<std::string> GetArraysInUse() override;
+  void CheckLines(vtkPolyData* lines) override;
 
 private:
   vtkFourierOpacityRepresentation(const vtkFourierOpacityRepresentation&) = delete;

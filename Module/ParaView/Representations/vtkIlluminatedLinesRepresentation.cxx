@@ -30,6 +30,13 @@ std::vector<std::string> vtkIlluminatedLinesRepresentation::GetArraysInUse()
 }
 
 //------------------------------------------------------------------------------
+void vtkIlluminatedLinesRepresentation::CheckLines(vtkPolyData* lines)
+{
+  this->CheckColorArray(lines);
+  this->CheckCells(lines);
+}
+
+//------------------------------------------------------------------------------
 void vtkIlluminatedLinesRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

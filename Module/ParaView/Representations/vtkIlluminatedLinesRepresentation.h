@@ -24,6 +24,7 @@ protected:
   ~vtkIlluminatedLinesRepresentation() override;
 
   std::vector<std::string> GetArraysInUse() override;
+  void CheckLines(vtkPolyData* lines) override;
 
 private:
   vtkIlluminatedLinesRepresentation(const vtkIlluminatedLinesRepresentation&) = delete;

@@ -4,6 +4,7 @@
 
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
@@ -208,8 +209,9 @@ void vtkLineSetsRepresentation::UpdateLines(vtkInformation* viewInfo)
   }
   else
   {
-    SetInput(
-      this->GetLineMapper(), this->Whole->Blocks.Join(data, this->Whole->Attributes, request));
+    vtkPolyData* lines = this->Whole->Blocks.Join(data, this->Whole->Attributes, request);
+    SetInput(this->GetLineMapper(), lines);
+    this->CheckLines(lines);
     for (const std::string& warning : this->Whole->Blocks.GetWarnings())
     {
       this->WarnOnce(warning);
@@ -286,6 +288,35 @@ void vtkLineSetsRepresentation::UpdateColoringParameters()
   if (isField)
   {
     info->Set(vtkDataObject::FIELD_ASSOCIATION(), vtkDataObject::FIELD_ASSOCIATION_NONE);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsRepresentation::CheckColorArray(vtkPolyData* lines)
+{
+  const char* name = this->GetColorArrayName();
+  if (!name || !name[0] || lines->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  const bool isOfPoints = this->GetInputArrayInformation(0)->Get(
+                            vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::POINT;
+  if (!lines->GetAttributes(isOfPoints ? vtkDataObject::POINT : vtkDataObject::CELL)
+         ->GetAbstractArray(name))
+  {
+    this->WarnOnce(std::string("There is no array \"") + name + "\" of " +
+      (isOfPoints ? "points" : "cells") + " to colour by: the lines have one colour.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsRepresentation::CheckCells(vtkPolyData* lines)
+{
+  if (lines->GetNumberOfLines() == 0 && lines->GetNumberOfCells() > 0)
+  {
+    this->WarnOnce("The input has no lines, only other cells (vertices, polygons or strips): these "
+                   "are drawn as they are, without the light of lines. Stream tracers, contours "
+                   "of slices and feature edges make lines.");
   }
 }
 

@@ -70,6 +70,16 @@ protected:
   /// Names of the arrays, beside the one that colours, that the mapper reads. Default none.
   virtual std::vector<std::string> GetArraysInUse() { return {}; }
 
+  /**
+   * Tells what is wrong with the lines that are drawn, as far as the mapper does not, by the
+   * functions below; called before each frame. By default nothing.
+   */
+  virtual void CheckLines(vtkPolyData*) {}
+  /// Warn where the array that is to colour the lines is missing.
+  void CheckColorArray(vtkPolyData* lines);
+  /// Warn where there are other cells but no lines.
+  void CheckCells(vtkPolyData* lines);
+
   /// Overridden since arrays of field data become arrays of cells where blocks are joined.
   void UpdateColoringParameters() override;
 
