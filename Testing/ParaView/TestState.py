@@ -85,23 +85,24 @@ def make_scene(representation):
     """All that a user would do, which a trace records."""
     source = simple.XMLPolyDataReader(registrationName="Lines", FileName=[path])
     view = simple.GetActiveViewOrCreate("RenderView")
-    view.ViewSize = [200, 200]
-    view.OrientationAxesVisibility = 0
-    view.UseColorPaletteForBackground = 0
-    view.Background = [0.1, 0.1, 0.2]
     display = simple.Show(source, view)
     display.SetRepresentationType(representation)
     simple.ColorBy(display, ("POINTS", "Height"))
     # As the panels do it, so that it is traced.
-    item = smtrace.PropertiesModified(display.SMProxy)
+    items = [smtrace.PropertiesModified(proxy.SMProxy) for proxy in (display, view)]
     display.ImportanceArray = "Height"
     display.Opacity = 0.5
     change_properties(display, representation)
-    item.finalize()
+    view.ViewSize = [200, 200]
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [0.1, 0.1, 0.2]
     view.CameraPosition = [4.0, 3.0, 5.0]
     view.CameraFocalPoint = [0.0, 0.0, 1.0]
     view.CameraParallelProjection = 1
     view.CameraParallelScale = 1.5
+    for item in items:
+        item.finalize()
     simple.Render(view)
     return display
 
