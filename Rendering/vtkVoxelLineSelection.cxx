@@ -46,7 +46,7 @@ vtkIdType GetPropValue(vtkHardwareSelector* selector)
 // The array of that name, where there is one of that type with a value for each tuple.
 vtkDataArray* FindArray(vtkFieldData* data, const char* name, int type)
 {
-  vtkDataArray* array = name ? data->GetArray(name) : nullptr;
+  vtkDataArray* array = name && name[0] ? data->GetArray(name) : nullptr;
   return array && array->GetDataType() == type && array->GetNumberOfComponents() == 1 ? array
                                                                                       : nullptr;
 }
