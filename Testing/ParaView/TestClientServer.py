@@ -3,7 +3,6 @@
 """Guards that a server draws as a client alone does: remote and local rendering, while the user
 interacts, and selection. Starts a pvserver on a free port and ends it in all cases."""
 import os
-import shutil
 import socket
 import subprocess
 import time
@@ -24,7 +23,7 @@ def start_server():
         port = probe.getsockname()[1]
     os.makedirs(testing.OUTPUT, exist_ok=True)
     log = open(os.path.join(testing.OUTPUT, "TestClientServer.log"), "w", encoding="utf-8")
-    process = subprocess.Popen([shutil.which("pvserver"), "--server-port=%d" % port], stdout=log,
+    process = subprocess.Popen([os.environ["LINESETS_PVSERVER"], "--server-port=%d" % port], stdout=log,
                                stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
     # Not by connecting, which the server would take for its client.
     end = time.monotonic() + SECONDS_TO_START

@@ -125,9 +125,8 @@ int vtkLineSetsRepresentation::ProcessViewRequest(
     return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
   }
   // Polygons have only the superclass's level of detail.
-  vtkDataObject* data = vtkPVView::GetPiece(inInfo, this);
   if (isDetail && this->IsThinned() && !inInfo->Has(vtkPVRenderView::USE_OUTLINE_FOR_LOD()) &&
-    !vtkLineSetsThinning::IsPossible(data))
+    !vtkLineSetsThinning::IsPossible(vtkPVView::GetPiece(inInfo, this)))
   {
     return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
   }
