@@ -135,7 +135,13 @@ vtkVoxelLineMapper::vtkVoxelLineMapper()
 }
 
 //------------------------------------------------------------------------------
-vtkVoxelLineMapper::~vtkVoxelLineMapper() = default;
+vtkVoxelLineMapper::~vtkVoxelLineMapper()
+{
+  this->SetPointIdArrayName(nullptr);
+  this->SetCellIdArrayName(nullptr);
+  this->SetCompositeIdArrayName(nullptr);
+  this->SetProcessIdArrayName(nullptr);
+}
 
 //------------------------------------------------------------------------------
 void vtkVoxelLineMapper::SetInputData(vtkPolyData* input)
@@ -620,10 +626,16 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityByPathLength: " << (this->OpacityByPathLength ? "On" : "Off") << "\n";
   os << indent << "Quality: " << this->Quality << "\n";
   os << indent << "QualityInUse: " << this->QualityInUse << "\n";
-  os << indent << "PointIdArrayName: " << this->PointIdArrayName << "\n";
-  os << indent << "CellIdArrayName: " << this->CellIdArrayName << "\n";
-  os << indent << "CompositeIdArrayName: " << this->CompositeIdArrayName << "\n";
-  os << indent << "ProcessIdArrayName: " << this->ProcessIdArrayName << "\n";
+  os << indent
+     << "PointIdArrayName: " << (this->PointIdArrayName ? this->PointIdArrayName : "(none)")
+     << "\n";
+  os << indent << "CellIdArrayName: " << (this->CellIdArrayName ? this->CellIdArrayName : "(none)")
+     << "\n";
+  os << indent << "CompositeIdArrayName: "
+     << (this->CompositeIdArrayName ? this->CompositeIdArrayName : "(none)") << "\n";
+  os << indent
+     << "ProcessIdArrayName: " << (this->ProcessIdArrayName ? this->ProcessIdArrayName : "(none)")
+     << "\n";
   os << indent << "NumberOfReceivers: " << this->GetNumberOfReceivers() << "\n";
   os << indent << "Illumination:\n";
   this->Internals->Illumination->PrintSelf(os, indent.GetNextIndent());

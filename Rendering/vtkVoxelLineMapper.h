@@ -387,12 +387,13 @@ public:
    * Arrays of the input that hold the ids which a selection is to tell in place of the input's own:
    * a point array and a cell array of vtkIdTypeArray. nullptr or empty, the default: the input's
    * own ids. An array that is missing, of another type or not of one component counts for nothing.
-   * Only for vtkPolyData, as for vtkOpenGLPolyDataMapper.
+   * Only for vtkPolyData, as for vtkOpenGLPolyDataMapper. The newest releases of VTK have these
+   * functions in vtkPolyDataMapper.
    */
-  vtkSetStdStringFromCharMacro(PointIdArrayName);
-  vtkGetCharFromStdStringMacro(PointIdArrayName);
-  vtkSetStdStringFromCharMacro(CellIdArrayName);
-  vtkGetCharFromStdStringMacro(CellIdArrayName);
+  vtkSetStringMacro(PointIdArrayName);
+  vtkGetStringMacro(PointIdArrayName);
+  vtkSetStringMacro(CellIdArrayName);
+  vtkGetStringMacro(CellIdArrayName);
   ///@}
 
   ///@{
@@ -400,8 +401,8 @@ public:
    * Array of the input's cells, a vtkUnsignedIntArray, that holds the composite index which a
    * selection is to tell; nullptr or empty, the default: 1. Else as CellIdArrayName.
    */
-  vtkSetStdStringFromCharMacro(CompositeIdArrayName);
-  vtkGetCharFromStdStringMacro(CompositeIdArrayName);
+  vtkSetStringMacro(CompositeIdArrayName);
+  vtkGetStringMacro(CompositeIdArrayName);
   ///@}
 
   ///@{
@@ -410,8 +411,8 @@ public:
    * to tell, for a selector whose UseProcessIdFromData is on: that of a line's first point. nullptr
    * or empty, the default: the selector's. Else as PointIdArrayName.
    */
-  vtkSetStdStringFromCharMacro(ProcessIdArrayName);
-  vtkGetCharFromStdStringMacro(ProcessIdArrayName);
+  vtkSetStringMacro(ProcessIdArrayName);
+  vtkGetStringMacro(ProcessIdArrayName);
   ///@}
 
   /// Modification time of the mapper, its lookup table, its illumination and global illumination.
@@ -447,10 +448,10 @@ protected:
   int AccumulationFrames = 1;
   bool OpacityByPathLength = false;
   double ModelBuildTime = 0.0;
-  std::string PointIdArrayName;
-  std::string CellIdArrayName;
-  std::string CompositeIdArrayName;
-  std::string ProcessIdArrayName;
+  char* PointIdArrayName = nullptr;
+  char* CellIdArrayName = nullptr;
+  char* CompositeIdArrayName = nullptr;
+  char* ProcessIdArrayName = nullptr;
 
 private:
   vtkVoxelLineMapper(const vtkVoxelLineMapper&) = delete;

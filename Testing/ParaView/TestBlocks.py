@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Guards composite input: which blocks are drawn, with visibility that blocks inherit, as ParaView's
-own Wireframe draws them; arrays that only some blocks have; colours by field data; and that what is
+"""Guards composite input: which blocks are drawn, with visibility that blocks inherit, as the own
+Wireframe of ParaView draws them; arrays that only some blocks have; colours by field data; and that what is
 not supported per block is told once."""
 import os
 

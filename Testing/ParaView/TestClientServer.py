@@ -23,8 +23,8 @@ def start_server():
         port = probe.getsockname()[1]
     os.makedirs(testing.OUTPUT, exist_ok=True)
     log = open(os.path.join(testing.OUTPUT, "TestClientServer.log"), "w", encoding="utf-8")
-    process = subprocess.Popen([os.environ["LINESETS_PVSERVER"], "--server-port=%d" % port], stdout=log,
-                               stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
+    process = subprocess.Popen([os.environ["LINESETS_PVSERVER"], "--server-port=%d" % port],
+                               stdout=log, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
     # Not by connecting, which the server would take for its client.
     end = time.monotonic() + SECONDS_TO_START
     while time.monotonic() < end and process.poll() is None:
@@ -57,7 +57,7 @@ def show(source, view, representation):
 
 
 def draw(view):
-    """The picture in blocks of 4 x 4 pixels: a client has several samples per pixel, a server one."""
+    """The picture in blocks of 4 x 4 pixels: a client has several samples of one, a server one."""
     for _ in range(2):
         simple.Render(view)
     picture = testing.take_picture(view, "TestClientServer")

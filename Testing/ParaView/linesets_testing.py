@@ -8,7 +8,8 @@ import sys
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_STRING, vtkDoubleArray, vtkLogger, vtkOutputWindow, vtkPoints
+from vtkmodules.vtkCommonCore import (VTK_STRING, vtkDoubleArray, vtkLogger, vtkOutputWindow,
+                                      vtkPoints)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
