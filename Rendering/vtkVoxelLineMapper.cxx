@@ -134,7 +134,13 @@ vtkVoxelLineMapper::vtkVoxelLineMapper()
 }
 
 //------------------------------------------------------------------------------
-vtkVoxelLineMapper::~vtkVoxelLineMapper() = default;
+vtkVoxelLineMapper::~vtkVoxelLineMapper()
+{
+  this->SetPointIdArrayName(nullptr);
+  this->SetCellIdArrayName(nullptr);
+  this->SetCompositeIdArrayName(nullptr);
+  this->SetProcessIdArrayName(nullptr);
+}
 
 //------------------------------------------------------------------------------
 void vtkVoxelLineMapper::SetInputData(vtkPolyData* input)
@@ -593,6 +599,10 @@ void vtkVoxelLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetAccumulationFrames(other->AccumulationFrames);
     this->SetOpacityByPathLength(other->OpacityByPathLength);
     this->SetQuality(other->Quality);
+    this->SetPointIdArrayName(other->GetPointIdArrayName());
+    this->SetCellIdArrayName(other->GetCellIdArrayName());
+    this->SetCompositeIdArrayName(other->GetCompositeIdArrayName());
+    this->SetProcessIdArrayName(other->GetProcessIdArrayName());
   }
   this->Superclass::ShallowCopy(mapper);
 }
@@ -615,6 +625,16 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityByPathLength: " << (this->OpacityByPathLength ? "On" : "Off") << "\n";
   os << indent << "Quality: " << this->Quality << "\n";
   os << indent << "QualityInUse: " << this->QualityInUse << "\n";
+  os << indent
+     << "PointIdArrayName: " << (this->PointIdArrayName ? this->PointIdArrayName : "(none)")
+     << "\n";
+  os << indent << "CellIdArrayName: " << (this->CellIdArrayName ? this->CellIdArrayName : "(none)")
+     << "\n";
+  os << indent << "CompositeIdArrayName: "
+     << (this->CompositeIdArrayName ? this->CompositeIdArrayName : "(none)") << "\n";
+  os << indent
+     << "ProcessIdArrayName: " << (this->ProcessIdArrayName ? this->ProcessIdArrayName : "(none)")
+     << "\n";
   os << indent << "NumberOfReceivers: " << this->GetNumberOfReceivers() << "\n";
   os << indent << "Illumination:\n";
   this->Internals->Illumination->PrintSelf(os, indent.GetNextIndent());

@@ -401,6 +401,39 @@ public:
   /// Selection works as the class description tells.
   bool GetSupportsSelection() override { return true; }
 
+  ///@{
+  /**
+   * Arrays of the input that hold the ids which a selection is to tell in place of the input's own:
+   * a point array and a cell array of vtkIdTypeArray. nullptr or empty, the default: the input's
+   * own ids. An array that is missing, of another type or not of one component counts for nothing.
+   * Only for vtkPolyData, as for vtkOpenGLPolyDataMapper. The newest releases of VTK have these
+   * functions in vtkPolyDataMapper.
+   */
+  vtkSetStringMacro(PointIdArrayName);
+  vtkGetStringMacro(PointIdArrayName);
+  vtkSetStringMacro(CellIdArrayName);
+  vtkGetStringMacro(CellIdArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * Array of the input's cells, a vtkUnsignedIntArray, that holds the composite index which a
+   * selection is to tell; nullptr or empty, the default: 1. Else as CellIdArrayName.
+   */
+  vtkSetStringMacro(CompositeIdArrayName);
+  vtkGetStringMacro(CompositeIdArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * Array of the input's points, a vtkUnsignedIntArray, that holds the process which a selection is
+   * to tell, for a selector whose UseProcessIdFromData is on: that of a line's first point. nullptr
+   * or empty, the default: the selector's. Else as PointIdArrayName.
+   */
+  vtkSetStringMacro(ProcessIdArrayName);
+  vtkGetStringMacro(ProcessIdArrayName);
+  ///@}
+
   /// Modification time of the mapper, its lookup table, its illumination and global illumination.
   vtkMTimeType GetMTime() override;
 
@@ -434,6 +467,10 @@ protected:
   int AccumulationFrames = 1;
   bool OpacityByPathLength = false;
   double ModelBuildTime = 0.0;
+  char* PointIdArrayName = nullptr;
+  char* CellIdArrayName = nullptr;
+  char* CompositeIdArrayName = nullptr;
+  char* ProcessIdArrayName = nullptr;
 
 private:
   vtkVoxelLineMapper(const vtkVoxelLineMapper&) = delete;

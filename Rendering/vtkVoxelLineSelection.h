@@ -19,15 +19,32 @@
 #include <cstdint>
 #include <vector>
 
+class vtkDataArray;
 class vtkHardwareSelector;
+class vtkIdTypeArray;
 class vtkPolyData;
+class vtkVoxelLineMapper;
 class vtkVoxelLineModel;
 
 class vtkVoxelLineSelection
 {
 public:
-  /// Largest cell id that the curves of a model come from; -1 where there is none.
-  static vtkIdType GetLargestCell(vtkVoxelLineModel* model);
+  /// Arrays of the input that hold what is told in place of the input's own numbers; null: those.
+  struct Arrays
+  {
+    vtkIdTypeArray* PointIds = nullptr;
+    vtkIdTypeArray* CellIds = nullptr;
+    vtkDataArray* CompositeIds = nullptr; ///< of cells
+    vtkDataArray* ProcessIds = nullptr;   ///< of points
+  };
+
+  /// The arrays that the mapper names, as far as the input has them; without input there are none.
+  static Arrays GetArrays(vtkVoxelLineMapper* mapper, vtkPolyData* input);
+
+  /// Largest id of cells that a selection can tell; -1 where there is none.
+  static vtkIdType GetLargestCell(vtkVoxelLineModel* model, const Arrays& arrays);
+  /// Largest id of the input's points that a selection can tell; -1 where there is none.
+  static vtkIdType GetLargestPoint(vtkPolyData* input, const Arrays& arrays);
 
   /**
    * Index of the point of the input for every pixel that shows a curve, else 0: of the points of
@@ -39,10 +56,11 @@ public:
 
   /**
    * Colours for the selector's current pass: four bytes per pixel, opaque where a curve is. points
-   * is that of GetPoints() and may be empty, then point passes give 0.
+   * is that of GetPoints() and may be empty, then point passes give 0. The input may be null where
+   * there are no arrays.
    */
-  static void GetColors(vtkHardwareSelector* selector, vtkVoxelLineModel* model,
-    const vtkVoxelLinePicture& picture, const std::vector<vtkIdType>& points,
+  static void GetColors(vtkHardwareSelector* selector, vtkVoxelLineModel* model, vtkPolyData* input,
+    const Arrays& arrays, const vtkVoxelLinePicture& picture, const std::vector<vtkIdType>& points,
     std::vector<std::uint8_t>& colors);
 };
 

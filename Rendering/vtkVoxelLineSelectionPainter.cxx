@@ -52,10 +52,11 @@ std::string vtkVoxelLineSelectionPainter::Draw(const vtkVoxelLineScene& scene,
   }
 
   selector->BeginRenderProp();
-  selector->UpdateMaximumCellId(vtkVoxelLineSelection::GetLargestCell(scene.Model));
+  const auto arrays = vtkVoxelLineSelection::GetArrays(scene.Mapper, scene.Input);
+  selector->UpdateMaximumCellId(vtkVoxelLineSelection::GetLargestCell(scene.Model, arrays));
   if (scene.Input)
   {
-    selector->UpdateMaximumPointId(scene.Input->GetNumberOfPoints() - 1);
+    selector->UpdateMaximumPointId(vtkVoxelLineSelection::GetLargestPoint(scene.Input, arrays));
   }
   std::string error = this->DrawNumbers(scene, selector, actor, window, viewport, view);
   selector->EndRenderProp();
@@ -99,8 +100,9 @@ std::string vtkVoxelLineSelectionPainter::DrawNumbers(const vtkVoxelLineScene& s
     }
     this->Last = std::move(wanted);
   }
-  vtkVoxelLineSelection::GetColors(
-    selector, scene.Model, this->Picture, this->Points, this->Colors);
+  vtkVoxelLineSelection::GetColors(selector, scene.Model, scene.Input,
+    vtkVoxelLineSelection::GetArrays(scene.Mapper, scene.Input), this->Picture, this->Points,
+    this->Colors);
   const vtkVoxelLineFrame& frame = this->Last.Frame;
   if (!this->Layer.SetPicture(
         window, frame.Width, frame.Height, this->Colors.data(), this->Picture.Depth.data()))

@@ -8,7 +8,8 @@ import sys
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonCore import (VTK_STRING, vtkDoubleArray, vtkLogger, vtkOutputWindow,
+                                      vtkPoints)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
@@ -61,6 +62,8 @@ def write_lines(data, name):
 
 def make_view(size=(300, 300)):
     """A view without decoration, which differs between versions of ParaView."""
+    # Cameras are those of the test from the first picture on.
+    simple._DisableFirstRenderCameraReset()
     view = simple.CreateView("RenderView")
     view.ViewSize = list(size)
     view.OrientationAxesVisibility = 0
@@ -104,6 +107,28 @@ def take_picture(view, name):
     os.makedirs(OUTPUT, exist_ok=True)
     simple.SaveScreenshot(path, view)
     return read_picture(path)
+
+
+class Messages:
+    """Listens to errors and warnings, which are not printed from then on."""
+
+    def __init__(self):
+        self.texts = []
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+
+        def note(_, event, text):
+            # What comes before is the place in the source.
+            self.texts.append(event.replace("Event", ": ") + text.strip().split("): ", 1)[-1])
+        note.CallDataType = VTK_STRING
+        window = vtkOutputWindow.GetInstance()
+        window.AddObserver("ErrorEvent", note)
+        window.AddObserver("WarningEvent", note)
+
+    def take(self):
+        """What was said since the last call."""
+        texts = self.texts
+        self.texts = []
+        return texts
 
 
 def rmse(a, b):

@@ -78,6 +78,24 @@ void vtkFourierOpacityRepresentation::UpdateImportanceRange()
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> vtkFourierOpacityRepresentation::GetArraysInUse()
+{
+  auto* mapper = vtkFourierOpacityMapper::SafeDownCast(this->GetLineMapper());
+  if (!mapper)
+  {
+    return {};
+  }
+  return { mapper->GetImportanceArrayName(), mapper->GetTangentArrayName(),
+    mapper->GetSpecularPowerArrayName() };
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityRepresentation::CheckLines(vtkPolyData* lines)
+{
+  this->CheckColorArray(lines);
+}
+
+//------------------------------------------------------------------------------
 void vtkFourierOpacityRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -53,6 +53,9 @@ protected:
   vtkFourierOpacityRepresentation();
   ~vtkFourierOpacityRepresentation() override;
 
+  std::vector<std::string> GetArraysInUse() override;
+  void CheckLines(vtkPolyData* lines) override;
+
   bool UseImportanceRange = false;
   double ImportanceRange[2] = { 0.0, 1.0 };
 

@@ -37,6 +37,24 @@ void vtkIlluminatedLinesRepresentation::SetSpecularPowerArrayName(const char* na
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> vtkIlluminatedLinesRepresentation::GetArraysInUse()
+{
+  auto* mapper = vtkIlluminatedLineMapper::SafeDownCast(this->GetLineMapper());
+  if (!mapper)
+  {
+    return {};
+  }
+  return { mapper->GetTangentArrayName(), mapper->GetSpecularPowerArrayName() };
+}
+
+//------------------------------------------------------------------------------
+void vtkIlluminatedLinesRepresentation::CheckLines(vtkPolyData* lines)
+{
+  this->CheckColorArray(lines);
+  this->CheckCells(lines);
+}
+
+//------------------------------------------------------------------------------
 void vtkIlluminatedLinesRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -41,6 +41,9 @@ protected:
   vtkIlluminatedLinesRepresentation();
   ~vtkIlluminatedLinesRepresentation() override;
 
+  std::vector<std::string> GetArraysInUse() override;
+  void CheckLines(vtkPolyData* lines) override;
+
 private:
   vtkIlluminatedLinesRepresentation(const vtkIlluminatedLinesRepresentation&) = delete;
   void operator=(const vtkIlluminatedLinesRepresentation&) = delete;

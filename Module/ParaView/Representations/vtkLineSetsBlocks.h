@@ -5,9 +5,16 @@
  * @brief   joins the visible blocks of a composite data set into one vtkPolyData
  *
  * The cells keep where they came from: the arrays "vtkOriginalPointIds" and "vtkOriginalCellIds",
- * which ParaView's geometry filter makes, and a cell array "vtkCompositeIndex" with the flat index of
- * each cell's block. The arrays of the result are those that all visible blocks with points have.
- * The result is kept as long as the data and the visible blocks are the same.
+ * which ParaView's geometry filter makes, and a cell array "vtkCompositeIndex" with the flat index
+ * of each cell's block, unless the geometry filter has made that as well (AMR).
+ *
+ * The arrays of the result are those that all visible blocks with points have, and those that are
+ * in use and that some block has ("partial arrays"): these become double precision, with NaN for
+ * the other blocks' points or cells. An array of the blocks' field data that colours whole blocks
+ * becomes a cell array of its first tuple.
+ *
+ * The result is kept as long as the data, the visible blocks and what was changed in their arrays
+ * are the same.
  */
 
 #ifndef vtkLineSetsBlocks_h
@@ -16,6 +23,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 
+#include <string>
 #include <vector>
 
 class vtkCompositeDataDisplayAttributes;
@@ -25,16 +33,33 @@ class vtkPolyData;
 class vtkLineSetsBlocks
 {
 public:
+  /// What is done with the arrays of the blocks.
+  struct Request
+  {
+    /// Point or cell arrays in use; none of them twice.
+    std::vector<std::string> Arrays;
+    /// Array of field data to make a cell array of; empty: none.
+    std::string FieldArray;
+  };
+
   /**
    * The visible blocks of the data as one vtkPolyData, never null. Attributes may be null: then all
-   * blocks are visible.
+   * blocks are visible; a block without a visibility of its own has that of its parent.
    */
-  vtkPolyData* Join(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes);
+  vtkPolyData* Join(
+    vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, const Request& request);
+
+  /// What is missing in the blocks joined last, a sentence for each array in use.
+  const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
 
 private:
+  using Parts = std::vector<vtkSmartPointer<vtkPolyData>>;
+
   vtkSmartPointer<vtkPolyData> Joined;
-  std::vector<vtkSmartPointer<vtkPolyData>> Parts;
+  Parts Sources;
   std::vector<unsigned int> Indices;
+  std::vector<std::string> Changes;
+  std::vector<std::string> Warnings;
   vtkTimeStamp JoinTime;
 };
 

@@ -4,20 +4,72 @@
 
 #include "vtkCommand.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkIntArray.h"
 #include "vtkLineSetsBlocks.h"
+#include "vtkLineSetsThinning.h"
 #include "vtkNew.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPVGeometryFilter.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkVoxelLineMapper.h"
+
+#include <algorithm>
+
+namespace
+{
+/// Field array that tells a level of detail which is no more than an outline.
+constexpr const char* OutlineMark = "vtkLineSetsOutline";
+
+//------------------------------------------------------------------------------
+template <typename MapperT>
+void SetIdNames(MapperT* mapper, const char* pointArray, const char* cellArray)
+{
+  mapper->SetPointIdArrayName(pointArray ? pointArray : "vtkOriginalPointIds");
+  mapper->SetCellIdArrayName(cellArray ? cellArray : "vtkOriginalCellIds");
+  mapper->SetCompositeIdArrayName("vtkCompositeIndex");
+  mapper->SetProcessIdArrayName("vtkProcessId");
+}
+
+//------------------------------------------------------------------------------
+/// Sets the input only where it is another one, since that modifies the mapper.
+void SetInput(vtkPolyDataMapper* mapper, vtkPolyData* lines)
+{
+  if (mapper->GetInputDataObject(0, 0) != lines)
+  {
+    mapper->SetInputDataObject(lines);
+  }
+}
+}
+
+struct vtkLineSetsRepresentation::Level
+{
+  vtkLineSetsBlocks Blocks;
+  vtkNew<vtkCompositeDataDisplayAttributes> Attributes;
+  /// What the attributes are of.
+  vtkSmartPointer<vtkDataObject> Data;
+  vtkTimeStamp AttributesTime;
+
+  bool IsCurrent(vtkDataObject* data) const
+  {
+    return this->Data == data && (!data || data->GetMTime() < this->AttributesTime.GetMTime());
+  }
+};
 
 //------------------------------------------------------------------------------
 vtkLineSetsRepresentation::vtkLineSetsRepresentation()
-  : Blocks(new vtkLineSetsBlocks)
+  : Whole(new Level)
+  , Thin(new Level)
+  , Thinning(new vtkLineSetsThinning)
+  , OutlineMapper(vtkSmartPointer<vtkPolyDataMapper>::New())
 {
-  // A line mapper draws less while the user interacts by itself, from the same model.
-  this->SuppressLOD = true;
+  this->OutlineMapper->ScalarVisibilityOff();
 }
 
 //------------------------------------------------------------------------------
@@ -35,11 +87,15 @@ void vtkLineSetsRepresentation::SetLineMapper(vtkPolyDataMapper* mapper)
   // leave their OpenGL context current.
   mapper->RemoveObservers(vtkCommand::ProgressEvent);
   this->Mapper->Delete();
-  this->LODMapper->Delete();
   this->Mapper = mapper;
   this->Mapper->Register(this);
-  this->LODMapper = mapper;
-  this->LODMapper->Register(this);
+  if (this->IsThinned())
+  {
+    this->LODMapper->Delete();
+    this->LODMapper = mapper->NewInstance();
+    this->ThinMapperTime = vtkTimeStamp();
+  }
+  this->SetArrayIdNames(nullptr, nullptr);
   // Connects the new mapper with all else.
   this->SetupDefaults();
   this->MarkModified();
@@ -58,10 +114,30 @@ std::string vtkLineSetsRepresentation::GetArrayName(const char* name)
 }
 
 //------------------------------------------------------------------------------
+void vtkLineSetsRepresentation::SetArrayIdNames(const char* pointArray, const char* cellArray)
+{
+  if (auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(this->Mapper))
+  {
+    SetIdNames(mapper, pointArray, cellArray);
+  }
+  else if (auto* voxels = vtkVoxelLineMapper::SafeDownCast(this->Mapper))
+  {
+    SetIdNames(voxels, pointArray, cellArray);
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkLineSetsRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  if (request != vtkPVView::REQUEST_RENDER())
+  const bool isDetail = request == vtkPVView::REQUEST_UPDATE_LOD();
+  if (!isDetail && request != vtkPVView::REQUEST_RENDER())
+  {
+    return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
+  }
+  // Polygons have only the superclass's level of detail.
+  if (isDetail && this->IsThinned() && !inInfo->Has(vtkPVRenderView::USE_OUTLINE_FOR_LOD()) &&
+    !vtkLineSetsThinning::IsPossible(vtkPVView::GetPiece(inInfo, this)))
   {
     return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
   }
@@ -70,21 +146,197 @@ int vtkLineSetsRepresentation::ProcessViewRequest(
   {
     return 0;
   }
-  vtkDataObject* data = vtkPVView::GetDeliveredPiece(inInfo, this);
-  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
-  if (data)
+  if (isDetail)
   {
-    this->PopulateBlockAttributes(attributes, data);
+    this->UpdateLevelOfDetail(inInfo);
   }
-  vtkPolyData* joined = this->Blocks->Join(data, attributes);
-  vtkPolyDataMapper* mapper = this->GetLineMapper();
-  if (mapper->GetInputDataObject(0, 0) != joined)
+  else
   {
-    mapper->SetInputDataObject(joined);
+    this->UpdateColoringParameters();
+    this->UpdateLines(inInfo);
   }
-  this->Actor->SetEnableLOD(0);
-  this->UpdateColoringParameters();
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsRepresentation::UpdateLevelOfDetail(vtkInformation* viewInfo)
+{
+  vtkDataObject* data = vtkPVView::GetPiece(viewInfo, this);
+  if (!data || this->SuppressLOD)
+  {
+    return;
+  }
+  if (viewInfo->Has(vtkPVRenderView::USE_OUTLINE_FOR_LOD()))
+  {
+    this->LODOutlineFilter->SetInputDataObject(data);
+    this->LODOutlineFilter->Update();
+    vtkDataObject* made = this->LODOutlineFilter->GetOutputDataObject(0);
+    auto outline = vtkSmartPointer<vtkDataObject>::Take(made->NewInstance());
+    outline->ShallowCopy(made);
+    vtkNew<vtkIntArray> mark;
+    mark->SetName(OutlineMark);
+    outline->GetFieldData()->AddArray(mark);
+    vtkPVView::SetPieceLOD(viewInfo, this, outline);
+  }
+  else if (this->IsThinned())
+  {
+    const double resolution = viewInfo->Has(vtkPVRenderView::LOD_RESOLUTION())
+      ? viewInfo->Get(vtkPVRenderView::LOD_RESOLUTION())
+      : 0.5;
+    vtkPVView::SetPieceLOD(viewInfo, this, this->Thinning->Thin(data, resolution));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsRepresentation::UpdateLines(vtkInformation* viewInfo)
+{
+  vtkDataObject* data = vtkPVView::GetDeliveredPiece(viewInfo, this);
+  vtkDataObject* detail = !this->SuppressLOD && viewInfo->Has(vtkPVRenderView::USE_LOD())
+    ? vtkPVView::GetDeliveredPieceLOD(viewInfo, this)
+    : nullptr;
+  this->UpdateBlockAttributes(data, detail);
+
+  vtkLineSetsBlocks::Request request;
+  vtkInformation* color = this->GetInputArrayInformation(0);
+  const char* name = this->GetColorArrayName();
+  const bool isField =
+    name && color->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_NONE;
+  (isField ? request.FieldArray : request.Arrays.emplace_back()) = name ? name : "";
+  for (const std::string& array : this->GetArraysInUse())
+  {
+    request.Arrays.push_back(array);
+  }
+  request.Arrays.erase(
+    std::remove(request.Arrays.begin(), request.Arrays.end(), std::string()), request.Arrays.end());
+  std::sort(request.Arrays.begin(), request.Arrays.end());
+  request.Arrays.erase(
+    std::unique(request.Arrays.begin(), request.Arrays.end()), request.Arrays.end());
+
+  if (detail)
+  {
+    SetInput(this->UpdateLevelOfDetailMapper(detail),
+      this->Thin->Blocks.Join(detail, this->Thin->Attributes, request));
+  }
+  else
+  {
+    vtkPolyData* lines = this->Whole->Blocks.Join(data, this->Whole->Attributes, request);
+    SetInput(this->GetLineMapper(), lines);
+    this->CheckLines(lines);
+    for (const std::string& warning : this->Whole->Blocks.GetWarnings())
+    {
+      this->WarnOnce(warning);
+    }
+  }
+  this->Actor->SetEnableLOD(detail ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyDataMapper* vtkLineSetsRepresentation::UpdateLevelOfDetailMapper(vtkDataObject* detail)
+{
+  auto* lines = vtkPolyDataMapper::SafeDownCast(this->LODMapper);
+  const bool isOutline = !this->IsThinned() || detail->GetFieldData()->HasArray(OutlineMark);
+  if (!isOutline && this->ThinMapperTime < this->Mapper->GetMTime())
+  {
+    // Shares the illumination and all else that is an object.
+    lines->ShallowCopy(this->Mapper);
+    this->ThinMapperTime.Modified();
+  }
+  vtkPolyDataMapper* used = isOutline ? this->OutlineMapper.Get() : lines;
+  this->Actor->SetLODMapper(used);
+  return used;
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsRepresentation::UpdateBlockAttributes(vtkDataObject* data, vtkDataObject* detail)
+{
+  const bool areChanged = this->BlockAttrChanged;
+  const auto update = [&](Level& level, vtkDataObject* object)
+  {
+    if (areChanged)
+    {
+      level.Data = nullptr;
+    }
+    if (object && !level.IsCurrent(object))
+    {
+      this->PopulateBlockAttributes(level.Attributes, object);
+      level.Data = object;
+      level.AttributesTime.Modified();
+    }
+  };
+  update(*this->Whole, data);
+  update(*this->Thin, detail);
+  if (!data || !areChanged)
+  {
+    return;
+  }
+  // By these the superclass knows when to compute the bounds of what is visible.
+  this->BlockAttributeTime.Modified();
+  this->BlockAttrChanged = false;
+
+  if (!this->BlockColors.empty() || !this->BlockOpacities.empty() ||
+    !this->BlockInterpolateScalarsBeforeMapping.empty() || !this->BlockColorModes.empty() ||
+    !this->BlockArrayNames.empty())
+  {
+    this->WarnOnce("Colours, opacities and colour arrays of single blocks are ignored: all lines "
+                   "are drawn together, by one colour, opacity and colour array. Of the blocks' "
+                   "own settings only their visibility counts.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsRepresentation::UpdateColoringParameters()
+{
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  const bool isField = info && info->Has(vtkDataObject::FIELD_ASSOCIATION()) &&
+    info->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_NONE;
+  if (isField)
+  {
+    // For the while of the call: the mapper's settings change once only.
+    info->Set(vtkDataObject::FIELD_ASSOCIATION(), vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  }
+  this->Superclass::UpdateColoringParameters();
+  if (isField)
+  {
+    info->Set(vtkDataObject::FIELD_ASSOCIATION(), vtkDataObject::FIELD_ASSOCIATION_NONE);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsRepresentation::CheckColorArray(vtkPolyData* lines)
+{
+  const char* name = this->GetColorArrayName();
+  if (!name || !name[0] || lines->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  const bool isOfPoints = this->GetInputArrayInformation(0)->Get(
+                            vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::POINT;
+  if (!lines->GetAttributes(isOfPoints ? vtkDataObject::POINT : vtkDataObject::CELL)
+         ->GetAbstractArray(name))
+  {
+    this->WarnOnce(std::string("There is no array \"") + name + "\" of " +
+      (isOfPoints ? "points" : "cells") + " to colour by: the lines have one colour.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsRepresentation::CheckCells(vtkPolyData* lines)
+{
+  if (lines->GetNumberOfLines() == 0 && lines->GetNumberOfCells() > 0)
+  {
+    this->WarnOnce("The input has no lines, only other cells (vertices, polygons or strips): these "
+                   "are drawn as they are, without the light of lines. Stream tracers, contours "
+                   "of slices and feature edges make lines.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsRepresentation::WarnOnce(const std::string& warning)
+{
+  if (this->Said.insert(warning).second)
+  {
+    vtkWarningMacro(<< warning);
+  }
 }
 
 //------------------------------------------------------------------------------

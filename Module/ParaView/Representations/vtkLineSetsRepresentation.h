@@ -5,13 +5,19 @@
  * @brief   what the representations of line sets in ParaView share
  *
  * ParaView's geometry representation with one of this project's mappers in place of its own. The
- * superclass extracts the geometry of any data set or composite data set, delivers it to where it is
- * drawn, and keeps the colour map, the property and the placement. This class joins the blocks that
- * are visible into one vtkPolyData there, since a line mapper draws all lines of a set together (one
- * voxel model, one order of blending), and gives it to the mapper.
+ * superclass extracts the geometry of any data set or composite data set, delivers it to where it
+ * is drawn, and keeps the colour map, the property and the placement. This class joins the blocks
+ * that are visible into one vtkPolyData there, since a line mapper draws all lines of a set
+ * together (one voxel model, one order of blending), and gives it to the mapper.
  *
  * What ParaView stores per block besides visibility (colours, opacities, colour arrays of single
- * blocks) has no counterpart in such a mapper: it is told once that it is ignored.
+ * blocks) has no counterpart in such a mapper: it is told once that it is ignored. So is what some
+ * visible blocks lack of the arrays in use (vtkLineSetsBlocks).
+ *
+ * While the user interacts and the view wants levels of detail, every n-th line is drawn by a
+ * second mapper with the same settings (vtkLineSetsThinning), unless the mapper draws less by
+ * itself; data with polygons are decimated by the superclass. What is drawn between interactions is
+ * left as it is.
  */
 
 #ifndef vtkLineSetsRepresentation_h
@@ -19,11 +25,16 @@
 
 #include "vtkGeometryRepresentation.h"
 #include "vtkParaViewLineSetsModule.h" // For export macro
+#include "vtkSmartPointer.h"           // For mappers
 
 #include <memory> // For std::unique_ptr
+#include <set>    // For what has been said
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkLineSetsBlocks;
+class vtkLineSetsThinning;
+class vtkPolyData;
 class vtkPolyDataMapper;
 
 class VTKPARAVIEWLINESETS_EXPORT vtkLineSetsRepresentation : public vtkGeometryRepresentation
@@ -32,14 +43,17 @@ public:
   vtkAbstractTypeMacro(vtkLineSetsRepresentation, vtkGeometryRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo,
-    vtkInformation* outInfo) override;
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
   /**
    * The mapper that draws, whose settings are those of the representation. The proxies make it and
    * hand it over before they set anything else. Each subclass begins with one of its own kind.
    */
   virtual void SetLineMapper(vtkPolyDataMapper* mapper);
+
+  /// Arrays with the ids of points and cells that a selection tells; nullptr: those of the input.
+  void SetArrayIdNames(const char* pointArray, const char* cellArray) override;
 
 protected:
   vtkLineSetsRepresentation();
@@ -50,11 +64,48 @@ protected:
   /// Name of an array as the mappers take it: empty where a list offers "None".
   static std::string GetArrayName(const char* name);
 
+  /**
+   * Whether the view's level of detail is every n-th line; else the mapper itself draws less while
+   * the user interacts. Also called in constructors of subclasses. Default true.
+   */
+  virtual bool IsThinned() { return true; }
+
+  /// Names of the arrays, beside the one that colours, that the mapper reads. Default none.
+  virtual std::vector<std::string> GetArraysInUse() { return {}; }
+
+  /**
+   * Tells what is wrong with the lines that are drawn, as far as the mapper does not, by the
+   * functions below; called before each frame. By default nothing.
+   */
+  virtual void CheckLines(vtkPolyData*) {}
+  /// Warn where the array that is to colour the lines is missing.
+  void CheckColorArray(vtkPolyData* lines);
+  /// Warn where there are other cells but no lines.
+  void CheckCells(vtkPolyData* lines);
+
+  /// Overridden since arrays of field data become arrays of cells where blocks are joined.
+  void UpdateColoringParameters() override;
+
 private:
   vtkLineSetsRepresentation(const vtkLineSetsRepresentation&) = delete;
   void operator=(const vtkLineSetsRepresentation&) = delete;
 
-  std::unique_ptr<vtkLineSetsBlocks> Blocks;
+  void UpdateLevelOfDetail(vtkInformation* viewInfo);
+  void UpdateLines(vtkInformation* viewInfo);
+  /// The mapper that draws the level of detail, with the settings of the other one.
+  vtkPolyDataMapper* UpdateLevelOfDetailMapper(vtkDataObject* detail);
+  void UpdateBlockAttributes(vtkDataObject* data, vtkDataObject* detail);
+  void WarnOnce(const std::string& warning);
+
+  /// The lines of one level of detail and what ParaView sets for their blocks.
+  struct Level;
+  std::unique_ptr<Level> Whole;
+  std::unique_ptr<Level> Thin;
+  std::unique_ptr<vtkLineSetsThinning> Thinning;
+  vtkSmartPointer<vtkPolyDataMapper> OutlineMapper;
+  /// When the mapper of the thin level got its settings.
+  vtkTimeStamp ThinMapperTime;
+  std::set<std::string> Said;
 };
 
 #endif

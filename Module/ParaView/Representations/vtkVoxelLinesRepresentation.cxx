@@ -28,6 +28,17 @@ void vtkVoxelLinesRepresentation::SetRadiusArrayName(const char* name)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> vtkVoxelLinesRepresentation::GetArraysInUse()
+{
+  auto* mapper = vtkVoxelLineMapper::SafeDownCast(this->GetLineMapper());
+  if (!mapper)
+  {
+    return {};
+  }
+  return { mapper->GetRadiusArrayName() };
+}
+
+//------------------------------------------------------------------------------
 void vtkVoxelLinesRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -3,6 +3,9 @@
 /**
  * @class   vtkVoxelLinesRepresentation
  * @brief   lines in ParaView, ray cast as tubes from a voxel model (vtkVoxelLineMapper)
+ *
+ * ParaView highlights what is selected by lines in the middle of the tubes: they are seen where
+ * their width (SelectionLineWidth, in pixels) is above the tube's, or where tubes are translucent.
  */
 
 #ifndef vtkVoxelLinesRepresentation_h
@@ -29,6 +32,9 @@ public:
 protected:
   vtkVoxelLinesRepresentation();
   ~vtkVoxelLinesRepresentation() override;
+
+  bool IsThinned() override { return false; }
+  std::vector<std::string> GetArraysInUse() override;
 
 private:
   vtkVoxelLinesRepresentation(const vtkVoxelLinesRepresentation&) = delete;

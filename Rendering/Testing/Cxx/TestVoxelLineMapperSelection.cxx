@@ -2,19 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Guards hardware selection: the cell of the input that a line came from, also where other
-// cells and dropped lines come before it; the nearest point; occlusion by other actors; an area;
-// the prop picker; and that normal pictures are not disturbed.
+// cells and dropped lines come before it; the nearest point; ids of the user's own arrays;
+// occlusion by other actors; an area; the prop picker; and that normal pictures are not disturbed.
 
 #include "VoxelLineMapperTesting.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkIntArray.h"
 #include "vtkLineVoxelizer.h"
 #include "vtkPropPicker.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
+#include "vtkUnsignedIntArray.h"
 
 #include <set>
+#include <string>
 
 using namespace VoxelLineMapperTesting;
 
@@ -50,15 +53,22 @@ struct Selected
   std::set<vtkIdType> Ids;
   vtkProp* Prop = nullptr;
   int CompositeIndex = -1;
+  int Process = -1;
   int NumberOfNodes = 0;
 };
 
-Selected Select(Stage& stage, int association, int x1, int y1, int x2, int y2)
+Selected Select(
+  Stage& stage, int association, int x1, int y1, int x2, int y2, bool useProcessIds = false)
 {
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(stage.Renderer);
   selector->SetFieldAssociation(association);
   selector->SetArea(x1, y1, x2, y2);
+  selector->SetUseProcessIdFromData(useProcessIds);
+  if (useProcessIds)
+  {
+    selector->SetProcessID(0);
+  }
   auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
   Selected selected;
   for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
@@ -72,6 +82,7 @@ Selected Select(Stage& stage, int association, int x1, int y1, int x2, int y2)
     }
     selected.Prop = vtkProp::SafeDownCast(node->GetProperties()->Get(vtkSelectionNode::PROP()));
     selected.CompositeIndex = node->GetProperties()->Get(vtkSelectionNode::COMPOSITE_INDEX());
+    selected.Process = node->GetProperties()->Get(vtkSelectionNode::PROCESS_ID());
   }
   return selected;
 }
@@ -145,6 +156,65 @@ void CheckPoints(Checks& check, double opacity)
     "no point beside");
 }
 
+template <typename ArrayT>
+void AddNumbers(vtkDataSetAttributes* data, const char* name, vtkIdType first, vtkIdType count)
+{
+  vtkNew<ArrayT> numbers;
+  numbers->SetName(name);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    numbers->InsertNextValue(static_cast<typename ArrayT::ValueType>(first + i));
+  }
+  data->AddArray(numbers);
+}
+
+// Arrays of the user's own, with ids of more than 24 bits.
+void CheckArrays(Checks& check)
+{
+  constexpr vtkIdType first = (vtkIdType{ 3 } << 24) + 5;
+  auto bars = MakeBars();
+  const vtkIdType points = bars->GetNumberOfPoints();
+  const vtkIdType cells = bars->GetNumberOfCells();
+  AddNumbers<vtkIdTypeArray>(bars->GetPointData(), "PointIds", first, points);
+  AddNumbers<vtkIdTypeArray>(bars->GetCellData(), "CellIds", 2 * first, cells);
+  AddNumbers<vtkUnsignedIntArray>(bars->GetCellData(), "Blocks", 70, cells);
+  AddNumbers<vtkUnsignedIntArray>(bars->GetPointData(), "Processes", 100, points);
+  AddNumbers<vtkIntArray>(bars->GetCellData(), "Numbers", 90, cells);
+  vtkNew<vtkVoxelLineMapper> mapper;
+  mapper->SetInputData(bars);
+  mapper->SetRadius(0.05);
+  mapper->SetResolution(32);
+  mapper->SetPointIdArrayName("PointIds");
+  mapper->SetCellIdArrayName("CellIds");
+  mapper->SetCompositeIdArrayName("Blocks");
+  mapper->SetProcessIdArrayName("Processes");
+  Stage stage(200, 200);
+  stage.Add(mapper);
+  LookAlongZ(stage);
+  stage.Render();
+  const int y = GetRow(3);
+  const Selected cell = Select(stage, Cells, 120, y, 120, y);
+  check(cell.Ids == std::set<vtkIdType>{ 2 * first + 5 }, "the cell's id in the array");
+  check(cell.CompositeIndex == 75, "the block in the array");
+  const Selected point = Select(stage, Points, 120, y, 120, y);
+  check(point.Ids == std::set<vtkIdType>{ first + 39 }, "the point's id in the array");
+  // Bar 3 begins with point 33.
+  check(Select(stage, Cells, 120, y, 120, y, true).Process == 133, "the process in the array");
+
+  // Arrays that do not fit, and none.
+  mapper->SetCellIdArrayName("Numbers");
+  mapper->SetCompositeIdArrayName("Numbers");
+  mapper->SetPointIdArrayName("Missing");
+  const Selected own = Select(stage, Cells, 120, y, 120, y);
+  check(own.Ids == std::set<vtkIdType>{ 5 } && own.CompositeIndex == 1, "arrays of another type");
+  check(Select(stage, Points, 120, y, 120, y).Ids == std::set<vtkIdType>{ 39 }, "no array");
+  vtkNew<vtkVoxelLineMapper> copy;
+  copy->ShallowCopy(mapper);
+  check(std::string(copy->GetProcessIdArrayName()) == "Processes", "names are copied");
+  copy->SetProcessIdArrayName(nullptr);
+  check(copy->GetProcessIdArrayName() == nullptr, "names are taken back");
+}
+
 void CheckOcclusion(Checks& check)
 {
   vtkNew<vtkVoxelLineMapper> mapper;
@@ -209,6 +279,7 @@ int TestVoxelLineMapperSelection(int, char*[])
     CheckCells(check, opacity);
     CheckPoints(check, opacity);
   }
+  CheckArrays(check);
   CheckOcclusion(check);
   CheckSharedModel(check, messages);
   check(messages->IsQuiet(), "no errors and no warnings");

@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Guards that a server draws as a client alone does: remote and local rendering, while the user
+interacts, and selection. Starts a pvserver on a free port and ends it in all cases."""
+import os
+import socket
+import subprocess
+import time
+
+import linesets_testing as testing
+from paraview import servermanager, simple
+
+REPRESENTATIONS = ("Voxel Lines", "Illuminated Lines", "Fourier Opacity")
+SECONDS_TO_START = 60.0
+# By the samples, on lines; 40 would be another picture.
+BOUND = 5.0
+
+
+def start_server():
+    """Returns the process and its port."""
+    with socket.socket() as probe:
+        probe.bind(("localhost", 0))
+        port = probe.getsockname()[1]
+    os.makedirs(testing.OUTPUT, exist_ok=True)
+    log = open(os.path.join(testing.OUTPUT, "TestClientServer.log"), "w", encoding="utf-8")
+    process = subprocess.Popen([os.environ["LINESETS_PVSERVER"], "--server-port=%d" % port],
+                               stdout=log, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
+    # Not by connecting, which the server would take for its client.
+    end = time.monotonic() + SECONDS_TO_START
+    while time.monotonic() < end and process.poll() is None:
+        with open(log.name, encoding="utf-8") as file:
+            if "Accepting connection" in file.read():
+                return process, port, log.name
+        time.sleep(0.1)
+    process.kill()
+    testing.check(False, "pvserver does not start, see " + log.name)
+
+
+def make_scene(path):
+    source = simple.XMLPolyDataReader(FileName=[path])
+    view = testing.make_view((200, 200))
+    view.CameraParallelProjection = 1
+    view.CameraPosition = [4.0, 3.0, 5.0]
+    view.CameraFocalPoint = [0.0, 0.0, 1.0]
+    view.CameraParallelScale = 1.5
+    return source, view
+
+
+def show(source, view, representation):
+    display = simple.Show(source, view)
+    display.Representation = representation
+    simple.ColorBy(display, ("POINTS", "Height"))
+    display.ImportanceArray = "Height"
+    display.LineWidth = 3.0
+    display.Opacity = 0.5
+    return display
+
+
+def draw(view):
+    """The picture in blocks of 4 x 4 pixels: a client has several samples of one, a server one."""
+    for _ in range(2):
+        simple.Render(view)
+    picture = testing.take_picture(view, "TestClientServer")
+    return picture.reshape(50, 4, 50, 4, 3).mean(axis=(1, 3))
+
+
+def select(source, view):
+    """Ids of what is selected in the middle of the view."""
+    simple.ClearSelection(source)
+    simple.SelectSurfaceCells(View=view, Rectangle=[90, 90, 110, 110])
+    selection = servermanager._getPyProxy(source.SMProxy.GetSelectionInput(0))
+    ids = set()
+    for node in selection.Input if selection else ():
+        ids |= set(list(node.IDs)[1::2])
+    simple.ClearSelection(source)
+    return ids
+
+
+def draw_all(source, view):
+    pictures = {}
+    for representation in REPRESENTATIONS:
+        show(source, view, representation)
+        pictures[representation] = draw(view), select(source, view)
+        simple.Hide(source, view)
+    return pictures
+
+
+def compare(path, alone):
+    """All that is drawn by the server or from its data, against what the client alone draws."""
+    source, view = make_scene(path)
+    view.LODThreshold = 0.0
+    for mode, threshold in (("remote", 0.0), ("local", 1000.0)):
+        view.RemoteRenderThreshold = threshold
+        for representation in REPRESENTATIONS:
+            what = "%s, %s" % (representation, mode)
+            show(source, view, representation)
+            expected, ids = alone[representation]
+            picture = draw(view)
+            is_remote = view.SMProxy.GetClientSideObject().GetUseDistributedRenderingForRender()
+            testing.check(bool(is_remote) == (mode == "remote"), "%s: where it is drawn" % what)
+            difference = testing.rmse(picture, expected)
+            print(what, difference, flush=True)
+            testing.check(difference <= BOUND, "%s: differs by %.2f" % (what, difference))
+            for _ in range(2):
+                view.SMProxy.InteractiveRender()
+            difference = testing.rmse(draw(view), expected)
+            testing.check(difference <= BOUND, "%s: differs by %.2f after interaction" % (
+                what, difference))
+            testing.check(ids and select(source, view) == ids, "%s: selection" % what)
+            simple.Hide(source, view)
+
+
+testing.load_plugin()
+messages = testing.Messages()
+path = testing.write_lines(testing.make_helices(20), "TestClientServer")
+alone = draw_all(*make_scene(path))
+server, port, log = start_server()
+try:
+    simple.Disconnect()
+    simple.Connect("localhost", port)
+    simple.LoadPlugin(os.environ["LINESETS_PLUGIN"], remote=True, ns=simple.__dict__)
+    simple.LoadPlugin(os.environ["LINESETS_PLUGIN"], remote=False, ns=simple.__dict__)
+    compare(path, alone)
+    simple.Disconnect()
+finally:
+    server.kill()
+    server.wait()
+with open(log, encoding="utf-8") as file:
+    text = file.read()
+testing.check("ERR|" not in text and "WARN|" not in text, "the server says nothing: " + text)
+said = messages.take()
+testing.check(not said, "the client says nothing: %s" % said)

@@ -1,0 +1,141 @@
+# SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Guards views: the same lines in two views by two representations, of different size; parallel and
+perspective cameras; placement of the representation and coordinates far away; decoration; and lines
+beside a translucent surface, for which ParaView peels depths."""
+import linesets_testing as testing
+from paraview import simple
+
+REPRESENTATIONS = ("Voxel Lines", "Illuminated Lines", "Fourier Opacity")
+
+
+def show(source, view, representation):
+    display = simple.Show(source, view)
+    display.Representation = representation
+    display.ColorArrayName = ["POINTS", "Height"]
+    table = simple.GetColorTransferFunction("Height")
+    table.RGBPoints = [0.0, 0.0, 0.0, 1.0, 2.0, 1.0, 0.0, 0.0]
+    display.LookupTable = table
+    display.ImportanceArray = "Height"
+    if representation == "Voxel Lines":
+        display.Radius = 0.02
+    return display
+
+
+def look(view, center=(0.0, 0.0, 1.0), scale=1.0):
+    view.CameraFocalPoint = list(center)
+    view.CameraPosition = [center[0] + 3.0 * scale, center[1] + 4.0 * scale,
+                           center[2] + 2.0 * scale]
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    view.CameraParallelScale = 1.4 * scale
+
+
+def draw(view, name="TestViews"):
+    for _ in range(2):
+        simple.Render(view)
+    return testing.take_picture(view, name)
+
+
+def count(picture):
+    """Pixels that are no background."""
+    return int((abs(picture - picture[0, 0]).max(axis=2) > 20.0).sum())
+
+
+testing.load_plugin()
+messages = testing.Messages()
+helices = testing.make_helices(12)
+source = simple.XMLPolyDataReader(FileName=[testing.write_lines(helices, "TestViews")])
+far = testing.make_helices(12, shift=50000.0)
+far_source = simple.XMLPolyDataReader(FileName=[testing.write_lines(far, "TestViewsFar")])
+view = testing.make_view((200, 200))
+sphere = simple.Sphere(Radius=0.5, Center=[0.0, 0.0, 1.0], ThetaResolution=32, PhiResolution=32)
+
+for representation in REPRESENTATIONS:
+    for is_parallel in (0, 1):
+        what = "%s, %s" % (representation, "parallel" if is_parallel else "perspective")
+        view.CameraParallelProjection = is_parallel
+        display = show(source, view, representation)
+        look(view)
+        plain = draw(view, "TestViews%s%d" % (representation.replace(" ", ""), is_parallel))
+        testing.check(count(plain) > 2000, "%s: drawn" % what)
+
+        # Moved and scaled together with the camera, nothing changes.
+        display.Translation = [10.0, 0.0, 0.0]
+        display.Scale = [2.0, 2.0, 2.0]
+        look(view, (10.0, 0.0, 2.0), 2.0)
+        difference = testing.rmse(draw(view), plain)
+        testing.check(difference <= 4.0, "%s: placed, differs by %.2f" % (what, difference))
+        # Half a turn about z with the camera, too.
+        display.Translation = [0.0, 0.0, 0.0]
+        display.Scale = [1.0, 1.0, 1.0]
+        display.Orientation = [0.0, 0.0, 180.0]
+        look(view)
+        view.CameraPosition = [-3.0, -4.0, 3.0]
+        difference = testing.rmse(draw(view), plain)
+        testing.check(difference <= 6.0, "%s: turned, differs by %.2f" % (what, difference))
+        display.Orientation = [0.0, 0.0, 0.0]
+
+        # A quarter of the opacity: fainter, and not gone.
+        look(view)
+        display.Opacity = 0.25
+        faint = draw(view)
+        background = plain[0, 0]
+        ratio = abs(faint - background).mean() / abs(plain - background).mean()
+        testing.check(0.1 < ratio < 0.8, "%s: opacity 0.25 gives %.2f" % (what, ratio))
+
+        # A translucent surface around the middle changes what is behind it and hides nothing.
+        around = simple.Show(sphere, view)
+        around.Opacity = 0.3
+        around.AmbientColor = around.DiffuseColor = [0.0, 1.0, 0.0]
+        around.ColorArrayName = ["POINTS", ""]
+        both = draw(view, "TestViewsSphere%s%d" % (representation.replace(" ", ""), is_parallel))
+        middle = (both - faint)[80:120, 80:120]
+        testing.check(middle[:, :, 1].mean() > 10.0, "%s: the surface is seen: %.1f" % (
+            what, middle[:, :, 1].mean()))
+        testing.check(both[80:120, 80:120, 0].std() > 3.0, "%s: lines are seen through it" % what)
+        simple.Hide(sphere, view)
+        display.Opacity = 1.0
+        simple.Hide(source, view)
+
+        # Far from the origin, as near it, but for the precision of coordinates.
+        show(far_source, view, representation)
+        look(view, (50000.0, 0.0, 1.0))
+        difference = testing.rmse(draw(view, "TestViewsFar" + representation.replace(" ", "")),
+                                  plain)
+        testing.check(difference <= 12.0, "%s: far away, differs by %.2f" % (what, difference))
+        simple.Hide(far_source, view)
+        print(what, flush=True)
+
+    # A scalar bar and axes are beside the lines and leave them as they are.
+    display = show(source, view, representation)
+    view.CameraParallelProjection = 0
+    look(view)
+    plain = draw(view)
+    display.SetScalarBarVisibility(view, True)
+    view.OrientationAxesVisibility = 1
+    decorated = draw(view, "TestViewsDecorated")
+    testing.check(testing.rmse(decorated[100:, :100], plain[100:, :100]) <= 1.0,
+                  "%s: the decorated picture where nothing else is" % representation)
+    testing.check(testing.rmse(decorated, plain) > 2.0, "%s: decoration" % representation)
+    display.SetScalarBarVisibility(view, False)
+    view.OrientationAxesVisibility = 0
+    simple.Hide(source, view)
+
+# Two views of one source; each is as if it were alone.
+other = testing.make_view((120, 160))
+other.Background = [0.3, 0.0, 0.0]
+for first, second in (("Voxel Lines", "Fourier Opacity"), ("Illuminated Lines", "Voxel Lines"),
+                      ("Fourier Opacity", "Illuminated Lines")):
+    pictures = []
+    for one, representation in ((view, first), (other, second)):
+        show(source, one, representation)
+        look(one)
+        pictures.append(draw(one))
+    for _ in range(2):
+        for one, expected in zip((view, other), pictures):
+            difference = testing.rmse(draw(one), expected)
+            testing.check(difference <= 1.0, "%s and %s: differs by %.2f" % (
+                first, second, difference))
+    print(first, second, flush=True)
+said = messages.take()
+testing.check(not said, "nothing is said: %s" % said)
