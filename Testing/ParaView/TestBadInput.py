@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 VOXELS, LIT, FOURIER = "Voxel Lines", "Illuminated Lines", "Fourier Opacity"
-NOTHING_IMPORTANT = "no active scalars"
+NOTHING_IMPORTANT = "that could tell importance"
 
 
 def make_sphere():
@@ -90,6 +90,7 @@ for name, data, said, drawn in CASES:
         display = simple.Show(source, view)
         display.ColorArrayName = ["POINTS", ""]
         display.Representation = representation
+        display.ImportanceArray = ["POINTS", ""]  # ParaView chooses the first one
         simple.ResetCamera(view)
         pixels = draw(what)
         check_messages(what, said[representation])

@@ -41,6 +41,7 @@ def find_mappers(display):
     mappers = {}
     for name in REPRESENTATIONS:
         display.Representation = name
+        simple.Render()  # until then the actor tells of another one
         representation = display.SMProxy.GetClientSideObject().GetActiveRepresentation()
         mappers[name] = representation.GetActor().GetMapper()
     return mappers

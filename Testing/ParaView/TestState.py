@@ -42,6 +42,8 @@ def get_domain(prop, kind):
 
 def find_other_value(prop):
     """Another valid value of a property of one number; None for others."""
+    if prop.GetInformationOnly():
+        return None
     if not prop.IsA("vtkSMVectorProperty") or prop.GetNumberOfElements() != 1:
         return None
     if not prop.IsA("vtkSMIntVectorProperty") and not prop.IsA("vtkSMDoubleVectorProperty"):

@@ -37,6 +37,7 @@ LEFT_OUT = {
     "vtkIlluminatedLineMapper::TangentArrayName": "of the representation",
     "vtkLineIllumination::SpecularPower": "ParaView has one, by which vtkProperty is set",
     "vtkLineModelFilter::Controller": "the global controller",
+    "vtkLineSetsRepresentation::ArrayIdNames": "of ParaView's geometry representation",
     "vtkLineSetsRepresentation::LineMapper": "a proxy of its own",
     "vtkVoxelLineMapper::GlobalIllumination": "a proxy of its own",
     "vtkVoxelLineMapper::Illumination": "a proxy of its own",
