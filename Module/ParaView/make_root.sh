@@ -36,7 +36,7 @@ case "$version" in
 esac
 
 # Changes with what the root holds, so that an older root is made anew.
-recipe=$(sha256sum "${BASH_SOURCE[0]}" | cut -d ' ' -f 1)
+recipe="$suite ${packages[*]}"
 if [ "$(cat "$root/etc/linesets-root" 2>/dev/null || true)" = "$recipe" ]; then
   exit 0
 fi
