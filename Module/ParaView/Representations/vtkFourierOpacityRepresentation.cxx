@@ -6,6 +6,8 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
+#include <limits>
+
 vtkStandardNewMacro(vtkFourierOpacityRepresentation);
 
 //------------------------------------------------------------------------------
@@ -17,6 +19,18 @@ vtkFourierOpacityRepresentation::vtkFourierOpacityRepresentation()
 
 //------------------------------------------------------------------------------
 vtkFourierOpacityRepresentation::~vtkFourierOpacityRepresentation() = default;
+
+//------------------------------------------------------------------------------
+double vtkFourierOpacityRepresentation::SetSharedMeasures(const Measures* vtkNotUsed(measures))
+{
+  return std::numeric_limits<double>::infinity();
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityRepresentation::SetRegion(const double region[6])
+{
+  vtkFourierOpacityMapper::SafeDownCast(this->GetLineMapper())->SetRegion(region);
+}
 
 //------------------------------------------------------------------------------
 void vtkFourierOpacityRepresentation::PrintSelf(ostream& os, vtkIndent indent)

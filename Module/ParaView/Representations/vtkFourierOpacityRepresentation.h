@@ -22,6 +22,12 @@ protected:
   vtkFourierOpacityRepresentation();
   ~vtkFourierOpacityRepresentation() override;
 
+  /// Always: whatever is not important lets something through.
+  bool NeedsOrderedCompositing() override { return true; }
+  /// Opacity depends on all that is drawn: every rank gets all of it.
+  double SetSharedMeasures(const Measures* measures) override;
+  void SetRegion(const double region[6]) override;
+
 private:
   vtkFourierOpacityRepresentation(const vtkFourierOpacityRepresentation&) = delete;
   void operator=(const vtkFourierOpacityRepresentation&) = delete;

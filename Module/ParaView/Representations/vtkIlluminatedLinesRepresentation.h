@@ -22,6 +22,8 @@ protected:
   vtkIlluminatedLinesRepresentation();
   ~vtkIlluminatedLinesRepresentation() override;
 
+  double SetSharedMeasures(const Measures* measures) override;
+
 private:
   vtkIlluminatedLinesRepresentation(const vtkIlluminatedLinesRepresentation&) = delete;
   void operator=(const vtkIlluminatedLinesRepresentation&) = delete;
