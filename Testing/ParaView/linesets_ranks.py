@@ -4,7 +4,9 @@
 import os
 
 import linesets_testing as testing
+import numpy
 from paraview import simple
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
@@ -14,6 +16,34 @@ CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK = CONTROLLER.GetLocalProcessId()
 RANKS = CONTROLLER.GetNumberOfProcesses()
 TYPES = {"double": "Float64", "float": "Float32"}
+
+
+def make_waves(number=40, points=1500):
+    """Long curves through all of a cube, with many points to a pixel."""
+    random = numpy.random.RandomState(7)
+    t = numpy.linspace(0.0, 1.0, points)
+    curves = []
+    for _ in range(number):
+        curve = numpy.zeros((points, 3))
+        for axis in range(3):
+            for frequency in range(1, 5):
+                a, phase = random.uniform(0.2, 0.5), random.uniform(0.0, 6.3)
+                curve[:, axis] += a * numpy.sin(frequency * 3.0 * t + phase)
+        curves.append(curve)
+    data = vtkPolyData()
+    positions = vtkPoints()
+    positions.SetData(numpy_to_vtk(numpy.concatenate(curves).astype(numpy.float32), deep=True))
+    data.SetPoints(positions)
+    cells = vtkCellArray()
+    for line in range(number):
+        cells.InsertNextCell(points)
+        for i in range(points):
+            cells.InsertCellPoint(line * points + i)
+    data.SetLines(cells)
+    height = numpy_to_vtk(numpy.tile(t, number), deep=True)
+    height.SetName("Height")
+    data.GetPointData().AddArray(height)
+    return data
 
 
 def take_lines(data, lines):
