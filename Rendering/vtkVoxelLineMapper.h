@@ -204,7 +204,9 @@ public:
    * not drawn, and what is first seen inside is drawn whole: other than with clipping planes, tubes
    * are not cut open, and lines outside cast shadows and occlude as ever. So pictures of boxes side
    * by side, laid over each other in the order of the boxes, are that of the whole scene, if each
-   * process has all lines of its box and around it, up to the radius and a voxel more.
+   * process has all lines of its box and around it, up to the radius and a voxel more. With
+   * OpacityByPathLength it must have them up to five radii and three voxels, and the light of tubes
+   * that a ray follows for longer may change at a side of the box.
    * Default: everything. NaN is an error.
    */
   virtual void SetRegion(const double region[6]);

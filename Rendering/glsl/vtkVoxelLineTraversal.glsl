@@ -52,7 +52,9 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
 {
   Ray.Origin = origin;
   Ray.Direction = direction;
-  Real gridStart = max(start, Ray.DrawnFrom);
+  // The light of a stretch is that of the wall where it began.
+  Real lead = OpacityByPathLength ? Real(4) * LargestRadius + Real(2) : Real(0);
+  Real gridStart = max(start, Ray.DrawnFrom - lead);
   Real gridEnd = min(end, Ray.DrawnTo);
   Ray.Radius = LargestRadius;
   Ray.Reach = Interactive ? Real(0) : Ray.Radius;

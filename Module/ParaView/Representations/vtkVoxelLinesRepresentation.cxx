@@ -84,6 +84,8 @@ double vtkVoxelLinesRepresentation::SetSharedMeasures(const Measures* measures)
     const double fixed = mapper->GetRadius() > 0.0 ? mapper->GetRadius() : side / 512.0;
     const double radius = measures->MaximumRadius > 0.0 ? measures->MaximumRadius : fixed;
     margin = std::max(radius, 2.0 * voxel) + voxel;
+    // Rays begin before the part.
+    margin += mapper->GetOpacityByPathLength() ? 4.0 * radius + 2.0 * voxel : 0.0;
   }
   this->MeasuredMapperTime = mapper->GetMTime();
   return HasGlobalIllumination(mapper) ? std::numeric_limits<double>::infinity() : margin;
