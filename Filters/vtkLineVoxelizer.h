@@ -151,11 +151,11 @@ public:
 
   ///@{
   /**
-   * Range of the scalars and largest radius, used when UseCustomRanges is on instead of those of the
-   * input, so that the bytes of several models stand for the same. Scalars outside the range count
-   * as its nearer end, radii above the largest one as that; warnings tell how many. A range whose
-   * first value is above its second, and a radius of 0, stand for those of the input. Default off,
-   * and (1, 0) and 0. Values that are not finite and a negative radius are errors at the next
+   * Range of the scalars and largest radius, used when UseCustomRanges is on instead of those of
+   * the input, so that the bytes of several models stand for the same. Scalars outside the range
+   * count as its nearer end, radii above the largest one as that; warnings tell how many. A range
+   * whose first value is above its second, and a radius of 0, stand for those of the input. Default
+   * off, and (1, 0) and 0. Values that are not finite and a negative radius are errors at the next
    * update.
    */
   vtkSetMacro(UseCustomRanges, bool);

@@ -191,8 +191,9 @@ void vtkFourierOpacityMapper::SetRegion(const double region[6])
 {
   if (std::any_of(region, region + 6, [](double side) { return std::isnan(side); }))
   {
-    vtkErrorMacro("A side of Region is not a number. It must be one, or infinite where the region is "
-                  "open; all sides stay as they are.");
+    vtkErrorMacro(
+      "A side of Region is not a number. It must be one, or infinite where the region is "
+      "open; all sides stay as they are.");
   }
   else if (!std::equal(region, region + 6, this->Region))
   {
@@ -517,8 +518,8 @@ void vtkFourierOpacityMapper::SetMapperShaderParameters(
 //------------------------------------------------------------------------------
 int vtkFourierOpacityMapper::GetNumberOfRegionPlanes() const
 {
-  return static_cast<int>(std::count_if(
-    this->Region, this->Region + 6, [](double side) { return std::isfinite(side); }));
+  return static_cast<int>(
+    std::count_if(this->Region, this->Region + 6, [](double side) { return std::isfinite(side); }));
 }
 
 //------------------------------------------------------------------------------

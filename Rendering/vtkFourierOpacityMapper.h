@@ -123,8 +123,8 @@ public:
    * processes that share a picture; infinite sides are open. Other than with clipping planes, the
    * optimized opacity counts what lies outside. So processes that all have everything draw the same
    * opacities, and their pictures of boxes side by side, laid over each other in the order of the
-   * boxes, are that of the whole scene, except that the sums of blending approximate each by itself.
-   * Default: everything. NaN is an error.
+   * boxes, are that of the whole scene, except that the sums of blending approximate each by
+   * itself. Default: everything. NaN is an error.
    */
   virtual void SetRegion(const double region[6]);
   const double* GetRegion() const { return this->Region; }

@@ -101,7 +101,8 @@ void InsertElements(
   }
 }
 
-// Distances from the planes are linear in clip coordinates, which are interpolated with perspective.
+// Distances from the planes are linear in clip coordinates, which are interpolated with
+// perspective.
 void InsertRegion(vtkLineSetsShaderCode::Shaders& shaders, int planes)
 {
   HandOn(shaders, "vec4", "fourierClip");

@@ -111,10 +111,10 @@ public:
 
   ///@{
   /**
-   * Bounds in data coordinates (smallest x, largest x, ...), used when UseCustomBounds is on instead
-   * of those of the input, to tell how long MergeLength is where lines are nearest. So several
-   * mappers merge alike, as processes do of which each draws a part of a line set. Default off, and
-   * 0 1 0 1 0 1.
+   * Bounds in data coordinates (smallest x, largest x, ...), used when UseCustomBounds is on
+   * instead of those of the input, to tell how long MergeLength is where lines are nearest. So
+   * several mappers merge alike, as processes do of which each draws a part of a line set. Default
+   * off, and 0 1 0 1 0 1.
    */
   vtkSetMacro(UseCustomBounds, bool);
   vtkGetMacro(UseCustomBounds, bool);

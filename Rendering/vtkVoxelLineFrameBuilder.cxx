@@ -469,8 +469,8 @@ bool vtkVoxelLineFrameBuilder::SetLighting(vtkVoxelLineFrame& frame, vtkRenderer
 //------------------------------------------------------------------------------
 bool vtkVoxelLineFrameBuilder::IsSamePicture(const vtkVoxelLineFrame& a, const vtkVoxelLineFrame& b)
 {
-  const bool sameView = IsSameView(a, b) && a.ClippingPlanes == b.ClippingPlanes &&
-    a.RegionPlanes == b.RegionPlanes;
+  const bool sameView =
+    IsSameView(a, b) && a.ClippingPlanes == b.ClippingPlanes && a.RegionPlanes == b.RegionPlanes;
   const bool sameColors = a.Coloring == b.Coloring && a.HasNaN == b.HasNaN &&
     (a.Coloring != vtkVoxelLineFrame::Table || a.ColorTable == b.ColorTable);
   const bool sameMaterial = a.AmbientColor == b.AmbientColor && a.DiffuseColor == b.DiffuseColor &&

@@ -35,8 +35,7 @@ constexpr double AutomaticRadius = 1.0 / 512.0;
 // Kind of the mapper's own warning, beside those of the painter.
 constexpr int StepsWarning = -1;
 
-void PrintNumbers(
-  ostream& os, vtkIndent indent, const char* name, const double* numbers, int count)
+void PrintNumbers(ostream& os, vtkIndent indent, const char* name, const double* numbers, int count)
 {
   os << indent << name << ":";
   for (int i = 0; i < count; ++i)
@@ -246,8 +245,9 @@ void vtkVoxelLineMapper::SetRegion(const double region[6])
 {
   if (std::any_of(region, region + 6, [](double side) { return std::isnan(side); }))
   {
-    vtkErrorMacro("A side of Region is not a number. It must be one, or infinite where the region is "
-                  "open; all sides stay as they are.");
+    vtkErrorMacro(
+      "A side of Region is not a number. It must be one, or infinite where the region is "
+      "open; all sides stay as they are.");
   }
   else if (!std::equal(region, region + 6, this->Region))
   {

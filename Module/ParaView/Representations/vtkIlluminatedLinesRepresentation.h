@@ -11,7 +11,8 @@
 #include "vtkLineSetsRepresentation.h"
 #include "vtkParaViewLineSetsModule.h" // For export macro
 
-class VTKPARAVIEWLINESETS_EXPORT vtkIlluminatedLinesRepresentation : public vtkLineSetsRepresentation
+class VTKPARAVIEWLINESETS_EXPORT vtkIlluminatedLinesRepresentation
+  : public vtkLineSetsRepresentation
 {
 public:
   static vtkIlluminatedLinesRepresentation* New();

@@ -23,8 +23,8 @@ void FindParts(vtkDataObjectTree* tree, vtkCompositeDataDisplayAttributes* attri
   using Options = vtk::DataObjectTreeOptions;
   // A block without a visibility of its own has its parent's.
   std::vector<std::pair<unsigned int, bool>> visible;
-  for (const auto& node : vtk::Range(tree, Options::TraverseSubTree | Options::VisitOnlyLeaves |
-         Options::SkipEmptyNodes))
+  for (const auto& node :
+    vtk::Range(tree, Options::TraverseSubTree | Options::VisitOnlyLeaves | Options::SkipEmptyNodes))
   {
     auto* part = vtkPolyData::SafeDownCast(node.GetDataObject());
     if (part && part->GetNumberOfPoints() > 0 &&

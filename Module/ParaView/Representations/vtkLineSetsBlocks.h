@@ -5,9 +5,9 @@
  * @brief   joins the visible blocks of a composite data set into one vtkPolyData
  *
  * The cells keep where they came from: the arrays "vtkOriginalPointIds" and "vtkOriginalCellIds",
- * which ParaView's geometry filter makes, and a cell array "vtkCompositeIndex" with the flat index of
- * each cell's block. The arrays of the result are those that all visible blocks with points have.
- * The result is kept as long as the data and the visible blocks are the same.
+ * which ParaView's geometry filter makes, and a cell array "vtkCompositeIndex" with the flat index
+ * of each cell's block. The arrays of the result are those that all visible blocks with points
+ * have. The result is kept as long as the data and the visible blocks are the same.
  */
 
 #ifndef vtkLineSetsBlocks_h

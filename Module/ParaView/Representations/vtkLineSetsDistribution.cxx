@@ -84,9 +84,9 @@ vtkSmartPointer<vtkPolyData> ReceivePart(vtkMultiProcessController* controller, 
 
 //------------------------------------------------------------------------------
 /**
- * Sends each part to the process that it is for, and puts what came from a process in its place. The
- * processes meet in pairs as in a tournament: each round every process has one partner at most, and
- * the lower one speaks first, so that none waits for another in a circle.
+ * Sends each part to the process that it is for, and puts what came from a process in its place.
+ * The processes meet in pairs as in a tournament: each round every process has one partner at most,
+ * and the lower one speaks first, so that none waits for another in a circle.
  */
 void Exchange(Parts& parts, vtkMultiProcessController* controller)
 {
@@ -210,8 +210,8 @@ vtkPolyData* vtkLineSetsDistribution::Distribute(vtkPolyData* lines, bool isChan
   Parts parts;
   for (const Box& box : boxes)
   {
-    parts.push_back(IsEmpty(box) ? vtkSmartPointer<vtkPolyData>::New()
-                                 : pieces.Select(Grow(box, reach)));
+    parts.push_back(
+      IsEmpty(box) ? vtkSmartPointer<vtkPolyData>::New() : pieces.Select(Grow(box, reach)));
   }
   Exchange(parts, controller);
   this->Result = Join(parts);

@@ -58,10 +58,10 @@ public:
   bool IsChanged(vtkPolyData* lines) const;
 
   /**
-   * The lines that this process needs, of those that all processes have. To be called by all of them
-   * with the same boxes, matrix (world from data) and margin (in units of the data, or infinite:
-   * everything goes everywhere), and the same value of isChanged: whether IsChanged() on any of
-   * them. Where nothing has changed, the last result is returned.
+   * The lines that this process needs, of those that all processes have. To be called by all of
+   * them with the same boxes, matrix (world from data) and margin (in units of the data, or
+   * infinite: everything goes everywhere), and the same value of isChanged: whether IsChanged() on
+   * any of them. Where nothing has changed, the last result is returned.
    */
   vtkPolyData* Distribute(vtkPolyData* lines, bool isChanged, const std::vector<Box>& boxes,
     vtkMatrix4x4* matrix, double margin, vtkMultiProcessController* controller);

@@ -5,7 +5,8 @@
  * @brief   finds the pieces of lines that come near boxes
  *
  * The bounds of all blocks of segments and of all other cells are computed once, in world
- * coordinates; then pieces for any number of boxes are found. vtkLineSetsDistribution tells the rules.
+ * coordinates; then pieces for any number of boxes are found. vtkLineSetsDistribution tells the
+ * rules.
  */
 
 #ifndef vtkLineSetsPieces_h

@@ -112,8 +112,8 @@ vtkPolyData* vtkLineSetsRepresentation::Share(vtkPolyData* lines, vtkInformation
     this->Actor->GetMatrix(matrix);
     mine = this->Shared->Distribute(lines, matrix, margin);
   }
-  this->SetRegion(moves ? this->Shared->GetRegion().data()
-                        : vtkLineSetsDistribution::GetOpenBox().data());
+  this->SetRegion(
+    moves ? this->Shared->GetRegion().data() : vtkLineSetsDistribution::GetOpenBox().data());
   return mine;
 }
 

@@ -4,10 +4,11 @@
  * @class   vtkLineSetsShare
  * @brief   what the ranks that draw together agree on before each frame
  *
- * Bounds, ranges and radii must be those of the lines of all ranks, and a rank that has got new lines
- * must make all of them take part in a new distribution. One reduction of a few numbers tells both.
- * Each rank takes part in each frame: it is done when a view asks its representations to get ready
- * for rendering, which happens on all ranks that render, just after the view's own redistribution.
+ * Bounds, ranges and radii must be those of the lines of all ranks, and a rank that has got new
+ * lines must make all of them take part in a new distribution. One reduction of a few numbers tells
+ * both. Each rank takes part in each frame: it is done when a view asks its representations to get
+ * ready for rendering, which happens on all ranks that render, just after the view's own
+ * redistribution.
  */
 
 #ifndef vtkLineSetsShare_h
