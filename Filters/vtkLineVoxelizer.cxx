@@ -159,17 +159,34 @@ std::string vtkLineVoxelizer::FindPropertyError() const
         " to " + std::to_string(high) + "; they must be finite and ascend.";
     }
   }
+  if (this->UseCustomRanges &&
+    !(std::isfinite(this->CustomAttributeRange[0]) && std::isfinite(this->CustomAttributeRange[1])))
+  {
+    return "CustomAttributeRange is " + std::to_string(this->CustomAttributeRange[0]) + " to " +
+      std::to_string(this->CustomAttributeRange[1]) + "; both values must be finite.";
+  }
+  if (this->UseCustomRanges &&
+    !(std::isfinite(this->CustomMaximumRadius) && this->CustomMaximumRadius >= 0.0))
+  {
+    return "CustomMaximumRadius is " + std::to_string(this->CustomMaximumRadius) +
+      "; it must be finite and 0 or above.";
+  }
   return std::string();
 }
 
 //------------------------------------------------------------------------------
-void vtkLineVoxelizer::ReadInput(
-  vtkInformationVector* inputs, vtkLineVoxelizerPrivate::Input& input, std::string& warning)
+void vtkLineVoxelizer::ReadInput(vtkInformationVector* inputs, bool useCustomRanges,
+  vtkLineVoxelizerPrivate::Input& input, std::string& warning)
 {
   vtkLineVoxelizerPrivate::ValueRequest request;
   request.Component = this->AttributeComponent;
   request.DirectColors = this->DirectColors;
   request.RadiusArrayName = this->RadiusArrayName;
+  if (useCustomRanges)
+  {
+    std::copy_n(this->CustomAttributeRange, 2, request.CustomRange);
+    request.CustomRadius = this->CustomMaximumRadius;
+  }
   vtkIdType otherCells = 0;
   bool isAnyArray = false;
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
@@ -224,6 +241,33 @@ void vtkLineVoxelizer::ReadInput(
   {
     AddLine(warning, message);
   }
+}
+
+//------------------------------------------------------------------------------
+vtkLineVoxelizer::Measures vtkLineVoxelizer::MeasureInput()
+{
+  Measures measures;
+  vtkNew<vtkInformationVector> inputs;
+  for (int i = 0; i < this->GetNumberOfInputConnections(0); ++i)
+  {
+    this->GetInputAlgorithm(0, i)->Update();
+    vtkNew<vtkInformation> info;
+    info->Set(vtkDataObject::DATA_OBJECT(), this->GetInputDataObject(0, i));
+    inputs->Append(info);
+  }
+  vtkLineVoxelizerPrivate::Input input;
+  std::string warning; // the update tells it
+  this->ReadInput(inputs, false, input, warning);
+  if (!input.Curves.empty())
+  {
+    std::copy_n(input.Bounds, 6, measures.Bounds);
+    measures.MaximumRadius = input.MaximumRadius;
+    if (input.AttributeKind == vtkVoxelLineModel::Scalar)
+    {
+      std::copy_n(input.AttributeRange, 2, measures.AttributeRange);
+    }
+  }
+  return measures;
 }
 
 //------------------------------------------------------------------------------
@@ -364,7 +408,7 @@ std::string vtkLineVoxelizer::Execute(
     return error;
   }
   vtkLineVoxelizerPrivate::Input input;
-  this->ReadInput(inputs, input, warning);
+  this->ReadInput(inputs, this->UseCustomRanges, input, warning);
   const std::string dropped = input.DescribeDropped();
   if (!dropped.empty())
   {
@@ -465,4 +509,8 @@ void vtkLineVoxelizer::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << bound;
   }
   os << "\n";
+  os << indent << "UseCustomRanges: " << (this->UseCustomRanges ? "On" : "Off") << "\n";
+  os << indent << "CustomAttributeRange: " << this->CustomAttributeRange[0] << " "
+     << this->CustomAttributeRange[1] << "\n";
+  os << indent << "CustomMaximumRadius: " << this->CustomMaximumRadius << "\n";
 }

@@ -149,6 +149,42 @@ public:
   vtkGetVector6Macro(CustomBounds, double);
   ///@}
 
+  ///@{
+  /**
+   * Range of the scalars and largest radius, used when UseCustomRanges is on instead of those of
+   * the input, so that the bytes of several models stand for the same. Scalars outside the range
+   * count as its nearer end, radii above the largest one as that; warnings tell how many. A range
+   * whose first value is above its second, and a radius of 0, stand for those of the input. Default
+   * off, and (1, 0) and 0. Values that are not finite and a negative radius are errors at the next
+   * update.
+   */
+  vtkSetMacro(UseCustomRanges, bool);
+  vtkGetMacro(UseCustomRanges, bool);
+  vtkBooleanMacro(UseCustomRanges, bool);
+  vtkSetVector2Macro(CustomAttributeRange, double);
+  vtkGetVector2Macro(CustomAttributeRange, double);
+  vtkSetMacro(CustomMaximumRadius, double);
+  vtkGetMacro(CustomMaximumRadius, double);
+  ///@}
+
+  /// What an update measures in its input, and what the properties above replace.
+  struct Measures
+  {
+    /// Of all curves; the first value of an axis is above its second where there are none.
+    double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+    /// Of the scalars that are kept in bytes; (1, 0) where there are none.
+    double AttributeRange[2] = { 1.0, 0.0 };
+    /// 0 where there are no radii.
+    double MaximumRadius = 0.0;
+  };
+
+  /**
+   * Bring the input up to date and measure it, without making a model, and without regard to the
+   * custom values. The union of what several filters measure is what they have to share, as
+   * processes do of which each has a part of the lines.
+   */
+  Measures MeasureInput();
+
 protected:
   vtkLineVoxelizer();
   ~vtkLineVoxelizer() override;
@@ -169,12 +205,15 @@ protected:
   std::string RadiusArrayName;
   bool UseCustomBounds = false;
   double CustomBounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
+  bool UseCustomRanges = false;
+  double CustomAttributeRange[2] = { 1.0, 0.0 };
+  double CustomMaximumRadius = 0.0;
 
 private:
   /// What is wrong with the properties, or an empty string.
   std::string FindPropertyError() const;
-  void ReadInput(
-    vtkInformationVector* inputs, vtkLineVoxelizerPrivate::Input& input, std::string& warning);
+  void ReadInput(vtkInformationVector* inputs, bool useCustomRanges,
+    vtkLineVoxelizerPrivate::Input& input, std::string& warning);
   std::string MakeGrid(const vtkLineVoxelizerPrivate::Input& input,
     vtkLineVoxelizerPrivate::Grid& grid, std::string& warning) const;
   /// Returns what went wrong, or an empty string.

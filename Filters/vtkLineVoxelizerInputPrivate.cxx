@@ -383,7 +383,7 @@ void Input::ReadValues(const ValueRequest& request, std::vector<std::string>& me
     if (!isColor)
     {
       this->HasNaN = missing > 0;
-      this->ReadScalars(request);
+      this->ReadScalars(request, messages);
     }
   }
   this->Values.LargestByte = this->HasNaN ? 254 : 255;
@@ -391,7 +391,7 @@ void Input::ReadValues(const ValueRequest& request, std::vector<std::string>& me
 }
 
 //------------------------------------------------------------------------------
-void Input::ReadScalars(const ValueRequest& request)
+void Input::ReadScalars(const ValueRequest& request, std::vector<std::string>& messages)
 {
   std::vector<std::vector<double>> values(this->LineSets.size());
   double low = std::numeric_limits<double>::infinity();
@@ -412,7 +412,23 @@ void Input::ReadScalars(const ValueRequest& request)
       this->HasNaN = this->HasNaN || std::isnan(value);
     }
   }
-  if (low > high)
+  if (request.CustomRange[0] <= request.CustomRange[1])
+  {
+    low = request.CustomRange[0];
+    high = request.CustomRange[1];
+    vtkIdType outside = 0;
+    for (const std::vector<double>& some : values)
+    {
+      outside += std::count_if(
+        some.begin(), some.end(), [low, high](double v) { return v < low || v > high; });
+    }
+    if (outside > 0)
+    {
+      messages.push_back(std::to_string(outside) +
+        " scalars are outside of CustomAttributeRange and taken as its nearer end.");
+    }
+  }
+  else if (low > high)
   {
     low = 0.0;
     high = 1.0;
@@ -480,7 +496,7 @@ void Input::ReadRadii(const ValueRequest& request, std::vector<std::string>& mes
     messages.push_back(std::to_string(this->NumberOfInvalidRadii) + " radii of array " +
       request.RadiusArrayName + " are negative or not finite and taken as 0.");
   }
-  this->LimitRadii(values, request.RadiusArrayName, messages);
+  this->LimitRadii(values, request, messages);
   if (!(this->MaximumRadius > 0.0))
   {
     messages.push_back("No radius of array " + request.RadiusArrayName +
@@ -500,16 +516,20 @@ void Input::ReadRadii(const ValueRequest& request, std::vector<std::string>& mes
 }
 
 //------------------------------------------------------------------------------
-void Input::LimitRadii(std::vector<std::vector<double>>& radii, const std::string& name,
+void Input::LimitRadii(std::vector<std::vector<double>>& radii, const ValueRequest& request,
   std::vector<std::string>& messages)
 {
+  const std::string& name = request.RadiusArrayName;
   double side = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
     side = std::max(side, this->Bounds[2 * axis + 1] - this->Bounds[2 * axis]);
   }
   // A single point has no size that a radius could be held against.
-  const double largest = side > 0.0 ? LargestRadius * side : std::numeric_limits<double>::max();
+  const bool isCustom = request.CustomRadius > 0.0;
+  const double largest = isCustom ? request.CustomRadius
+    : side > 0.0                  ? LargestRadius * side
+                                  : std::numeric_limits<double>::max();
   vtkIdType clamped = 0;
   for (std::vector<double>& values : radii)
   {
@@ -520,6 +540,7 @@ void Input::LimitRadii(std::vector<std::vector<double>>& radii, const std::strin
       this->MaximumRadius = std::max(this->MaximumRadius, value);
     }
   }
+  this->MaximumRadius = isCustom ? largest : this->MaximumRadius;
   // Half a step of the bytes rounds up.
   const double smallest = 0.5 / 255.0 * this->MaximumRadius;
   vtkIdType vanishing = 0;
@@ -537,8 +558,10 @@ void Input::LimitRadii(std::vector<std::vector<double>>& radii, const std::strin
       messages.push_back(text.str());
     }
   };
-  add(clamped, " are more than 4 times the size of all lines and taken as ", largest,
-    "; correct these radii.");
+  add(clamped,
+    isCustom ? " are above CustomMaximumRadius and taken as "
+             : " are more than 4 times the size of all lines and taken as ",
+    largest, "; correct these radii.");
   add(vanishing, " are above 0 but less than 1/510 of the largest one, ", this->MaximumRadius,
     ", and become 0 in 8 bits; where they are to be seen, reduce the largest radii.");
 }

@@ -85,6 +85,9 @@ struct ValueRequest
   /// Per input: the radii or nullptr.
   std::vector<vtkDataArray*> Radii;
   std::string RadiusArrayName;
+  /// Range of scalars, where it ascends, and largest radius, where it is above 0.
+  double CustomRange[2] = { 1.0, 0.0 };
+  double CustomRadius = 0.0;
 };
 
 class Input
@@ -129,11 +132,11 @@ public:
 private:
   /// Whether the lines of an input have values; why not, if there is an array that cannot be used.
   bool ChooseArray(std::size_t i, const ValueRequest& request, std::vector<std::string>& messages);
-  void ReadScalars(const ValueRequest& request);
+  void ReadScalars(const ValueRequest& request, std::vector<std::string>& messages);
   void ReadRadii(const ValueRequest& request, std::vector<std::string>& messages);
   /// Clamp radii that dwarf the lines, find the largest one, and tell of those that are changed or
   /// too small for a byte of it.
-  void LimitRadii(std::vector<std::vector<double>>& radii, const std::string& name,
+  void LimitRadii(std::vector<std::vector<double>>& radii, const ValueRequest& request,
     std::vector<std::string>& messages);
 };
 

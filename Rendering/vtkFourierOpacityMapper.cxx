@@ -17,9 +17,13 @@
 #include "vtkLineSetsCheckedValuePrivate.h"
 #include "vtkLineSetsFrameCounter.h"
 #include "vtkLineSetsLayer.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpacityOptimization.h"
 #include "vtkOpacitySegments.h"
+#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -35,6 +39,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 class vtkFourierOpacityMapper::vtkInternals
 {
@@ -201,6 +206,22 @@ void vtkFourierOpacityMapper::SetNumberOfPatches(int number)
 {
   vtkLineSetsSetInRange(this, "NumberOfPatches", this->NumberOfPatches, number, 1,
     int{ vtkOpacitySegments::LargestNumberOfSegments });
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::SetRegion(const double region[6])
+{
+  if (std::any_of(region, region + 6, [](double side) { return std::isnan(side); }))
+  {
+    vtkErrorMacro(
+      "A side of Region is not a number. It must be one, or infinite where the region is "
+      "open; all sides stay as they are.");
+  }
+  else if (!std::equal(region, region + 6, this->Region))
+  {
+    std::copy_n(region, 6, this->Region);
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -456,7 +477,8 @@ void vtkFourierOpacityMapper::UpdateShaders(
     // What else the shaders of a stage depend on.
     const std::size_t details = 1 + (HasLateOpacity(actor) ? 2 : 0) +
       (this->HaveWideLines(renderer, actor) ? 4 : 0) +
-      (this->Internals->Vertices.GetElements() ? 8 : 0);
+      (this->Internals->Vertices.GetElements() ? 8 : 0) +
+      16 * static_cast<std::size_t>(this->GetNumberOfRegionPlanes());
     key = stage->Key ^ (details << 56);
   }
   this->Internals->Programs.Use(cellBO, key);
@@ -471,7 +493,8 @@ void vtkFourierOpacityMapper::ReplaceShaderValues(
   {
     vtkFourierOpacityShader::Insert(shaders, *this->Internals->Stage,
       this->Internals->Vertices.GetElements() != nullptr, HasLateOpacity(actor),
-      this->IsOfPoints(*this->LastBoundBO, actor), this->HasHalo(actor));
+      this->IsOfPoints(*this->LastBoundBO, actor), this->HasHalo(actor),
+      this->GetNumberOfRegionPlanes());
   }
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
 }
@@ -500,6 +523,11 @@ void vtkFourierOpacityMapper::SetMapperShaderParameters(
   {
     cellBO.Program->SetUniformf("fourierCoverage", this->GetCoverage(cellBO, actor));
   }
+  if (this->Internals->Stage && this->GetNumberOfRegionPlanes() > 0 &&
+    vtkFourierOpacityShader::IsCutOff(*this->Internals->Stage))
+  {
+    this->SetRegionParameters(cellBO.Program, renderer);
+  }
   if (this->HasHalo(actor))
   {
     this->SetHaloParameters(cellBO.Program, renderer, actor);
@@ -509,6 +537,41 @@ void vtkFourierOpacityMapper::SetMapperShaderParameters(
     this->SetLineWidth(
       cellBO.Program, renderer, this->GetReducedSize(actor->GetProperty()->GetLineWidth()));
   }
+}
+
+//------------------------------------------------------------------------------
+int vtkFourierOpacityMapper::GetNumberOfRegionPlanes() const
+{
+  return static_cast<int>(
+    std::count_if(this->Region, this->Region + 6, [](double side) { return std::isfinite(side); }));
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityMapper::SetRegionParameters(vtkShaderProgram* program, vtkRenderer* renderer)
+{
+  vtkMatrix4x4* viewFromWorld;
+  vtkMatrix3x3* normals;
+  vtkMatrix4x4* clipFromView;
+  vtkMatrix4x4* clipFromWorld;
+  vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
+    ->GetKeyMatrices(renderer, viewFromWorld, normals, clipFromView, clipFromWorld);
+  // It comes transposed; so does what follows, and a plane is a column.
+  vtkNew<vtkMatrix4x4> worldFromClip;
+  vtkMatrix4x4::Invert(clipFromWorld, worldFromClip);
+  std::vector<float> planes;
+  for (int side = 0; side < 6; ++side)
+  {
+    if (std::isfinite(this->Region[side]))
+    {
+      const double sign = side % 2 == 0 ? 1.0 : -1.0;
+      double plane[4] = { 0.0, 0.0, 0.0, -sign * this->Region[side] };
+      plane[side / 2] = sign;
+      worldFromClip->MultiplyPoint(plane, plane);
+      planes.insert(planes.end(), plane, plane + 4);
+    }
+  }
+  program->SetUniform4fv("fourierRegion", static_cast<int>(planes.size() / 4),
+    reinterpret_cast<const float(*)[4]>(planes.data()));
 }
 
 //------------------------------------------------------------------------------
@@ -612,6 +675,7 @@ void vtkFourierOpacityMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetImportanceRange(other->ImportanceRange);
     this->SetNumberOfLineSegments(other->NumberOfLineSegments);
     this->SetNumberOfPatches(other->NumberOfPatches);
+    this->SetRegion(other->Region);
     this->SetOptimization(other->GetOptimization());
   }
   this->Superclass::ShallowCopy(mapper);
@@ -627,6 +691,12 @@ void vtkFourierOpacityMapper::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "NumberOfLineSegments: " << this->NumberOfLineSegments << "\n";
   os << indent << "NumberOfPatches: " << this->NumberOfPatches << "\n";
+  os << indent << "Region:";
+  for (double side : this->Region)
+  {
+    os << " " << side;
+  }
+  os << "\n";
   os << indent << "Optimization:\n";
   this->Internals->Optimization->PrintSelf(os, indent.GetNextIndent());
 }

@@ -50,6 +50,7 @@
 #include "vtkIlluminatedLineMapper.h"
 #include "vtkRenderingLineSetsModule.h" // For export macro
 
+#include <limits> // For open sides
 #include <map>    // For the shaders
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
@@ -126,6 +127,19 @@ public:
   vtkGetMacro(NumberOfPatches, int);
   ///@}
 
+  ///@{
+  /**
+   * Part of the scene that is drawn, a box in world coordinates (smallest x, largest x, ...), for
+   * processes that share a picture; infinite sides are open. Other than with clipping planes, the
+   * optimized opacity counts what lies outside. So processes that all have everything draw the same
+   * opacities, and their pictures of boxes side by side, laid over each other in the order of the
+   * boxes, are that of the whole scene, except that the sums of blending approximate each by
+   * itself. Default: everything. NaN is an error.
+   */
+  virtual void SetRegion(const double region[6]);
+  const double* GetRegion() const { return this->Region; }
+  ///@}
+
   /**
    * Forget the opacities of earlier pictures. What a picture does not show keeps them, and its
    * neighbours are smoothed with it, so that a picture depends on those before it; the next one
@@ -187,6 +201,8 @@ protected:
   double ImportanceRange[2] = { 1.0, 0.0 };
   int NumberOfLineSegments = 0;
   int NumberOfPatches = 500;
+  static constexpr double Open = std::numeric_limits<double>::infinity();
+  double Region[6] = { -Open, Open, -Open, Open, -Open, Open };
 
 private:
   friend class vtkFourierOpacityPainter;
@@ -212,6 +228,8 @@ private:
   bool HasHalo(vtkActor* actor);
   void SetHaloParameters(vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor);
   void RenderSelection(vtkRenderer* renderer, vtkActor* actor);
+  int GetNumberOfRegionPlanes() const;
+  void SetRegionParameters(vtkShaderProgram* program, vtkRenderer* renderer);
   void RenderAlone(vtkRenderer* renderer, vtkActor* actor);
 
   class vtkInternals;

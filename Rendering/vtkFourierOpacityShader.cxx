@@ -108,6 +108,24 @@ void InsertElements(vtkLineSetsShaderCode::Shaders& shaders, const vtkFourierOpa
   }
 }
 
+// Distances from the planes are linear in clip coordinates, which are interpolated with
+// perspective.
+void InsertRegion(vtkLineSetsShaderCode::Shaders& shaders, int planes)
+{
+  HandOn(shaders, "vec4", "fourierClip");
+  InsertBefore(
+    shaders[vtkShader::Vertex], "//VTK::Light::Impl", "fourierClipVSOutput = gl_Position;\n");
+  const std::string count = std::to_string(planes);
+  InsertBefore(shaders[vtkShader::Fragment], "//VTK::Light::Dec",
+    "uniform vec4 fourierRegion[" + count + "];\n");
+  InsertBefore(shaders[vtkShader::Fragment], "//VTK::Color::Impl",
+    "  for (int i = 0; i < " + count +
+      "; ++i)\n"
+      "  {\n"
+      "    if (dot(fourierRegion[i], fourierClipVSOutput) < 0.0)\n    {\n      discard;\n    }\n"
+      "  }\n");
+}
+
 // Where the code of a stage belongs: as early as what it needs is known.
 const char* GetPlace(const vtkFourierOpacityStage& stage, bool lateOpacity)
 {
@@ -128,7 +146,7 @@ const char* GetPlace(const vtkFourierOpacityStage& stage, bool lateOpacity)
 //------------------------------------------------------------------------------
 void vtkFourierOpacityShader::Insert(std::map<vtkShader::Type, vtkShader*>& shaders,
   const vtkFourierOpacityStage& stage, bool hasElements, bool lateOpacity, bool isPoints,
-  bool hasHalo)
+  bool hasHalo, int regionPlanes)
 {
   vtkShader* vertex = shaders[vtkShader::Vertex];
   vtkShader* fragment = shaders[vtkShader::Fragment];
@@ -147,6 +165,10 @@ void vtkFourierOpacityShader::Insert(std::map<vtkShader::Type, vtkShader*>& shad
   {
     InsertElements(shaders, stage, hasElements, isPoints);
   }
+  if (regionPlanes > 0 && IsCutOff(stage))
+  {
+    InsertRegion(shaders, regionPlanes);
+  }
   // Pictures that are accumulated are shifted by parts of a pixel.
   InsertBefore(vertex, "//VTK::Light::Dec", "uniform vec2 fourierShift;\n");
   InsertBefore(vertex, "//VTK::Light::Impl", "gl_Position.xy += fourierShift * gl_Position.w;\n");
@@ -164,4 +186,12 @@ void vtkFourierOpacityShader::Insert(std::map<vtkShader::Type, vtkShader*>& shad
   code = Replaced(code, "%COLOR", hasHalo ? HaloColor : "gl_FragData[0].rgb");
   code = Replaced(code, "%Z", hasHalo ? "fourierZ" : "gl_FragCoord.z");
   InsertBefore(fragment, place, "  {\n" + std::string(hasHalo ? Halo : "") + code + "  }\n");
+}
+
+//------------------------------------------------------------------------------
+bool vtkFourierOpacityShader::IsCutOff(const vtkFourierOpacityStage& stage)
+{
+  return stage.Kind != vtkFourierOpacityStage::ImportanceSums &&
+    stage.Kind != vtkFourierOpacityStage::Opacities &&
+    stage.Kind != vtkFourierOpacityStage::ImportanceList;
 }

@@ -280,8 +280,10 @@ void vtkIlluminatedLineMapper::UpdateMergeLength(vtkRenderer* renderer, vtkActor
   vtkMatrix4x4::Transpose(viewToDisplay, clipFromView);
   int size[2];
   renderer->GetTiledSize(&size[0], &size[1]);
-  internals.MergeLength = vtkLineMerging::GetLength(
-    this->MergeLength, this->CurrentInput->GetBounds(), viewFromData, clipFromView, size);
+  const double* bounds =
+    this->UseCustomBounds ? this->CustomBounds : this->CurrentInput->GetBounds();
+  internals.MergeLength =
+    vtkLineMerging::GetLength(this->MergeLength, bounds, viewFromData, clipFromView, size);
   internals.IsFine = internals.MergeLength > 0.0 &&
     internals.Merged.GetLongestSegment(this->CurrentInput) <= internals.MergeLength;
 }
@@ -521,6 +523,8 @@ void vtkIlluminatedLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetTangentArrayName(other->TangentArrayName);
     this->SetSpecularPowerArrayName(other->SpecularPowerArrayName);
     this->SetMergeLength(other->MergeLength);
+    this->SetUseCustomBounds(other->UseCustomBounds);
+    this->SetCustomBounds(other->CustomBounds);
     this->SetIllumination(other->GetIllumination());
   }
   if (auto* other = vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
@@ -542,6 +546,13 @@ void vtkIlluminatedLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TangentArrayName: " << this->TangentArrayName << "\n";
   os << indent << "SpecularPowerArrayName: " << this->SpecularPowerArrayName << "\n";
   os << indent << "MergeLength: " << this->MergeLength << "\n";
+  os << indent << "UseCustomBounds: " << (this->UseCustomBounds ? "On" : "Off") << "\n";
+  os << indent << "CustomBounds:";
+  for (double bound : this->CustomBounds)
+  {
+    os << " " << bound;
+  }
+  os << "\n";
   os << indent << "NumberOfDrawnSegments: " << this->NumberOfDrawnSegments << "\n";
   os << indent << "Illumination:\n";
   this->Internals->Illumination->PrintSelf(os, indent.GetNextIndent());

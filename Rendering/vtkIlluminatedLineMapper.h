@@ -110,6 +110,20 @@ public:
   vtkGetMacro(MergeLength, double);
   ///@}
 
+  ///@{
+  /**
+   * Bounds in data coordinates (smallest x, largest x, ...), used when UseCustomBounds is on
+   * instead of those of the input, to tell how long MergeLength is where lines are nearest. So
+   * several mappers merge alike, as processes do of which each draws a part of a line set. Default
+   * off, and 0 1 0 1 0 1.
+   */
+  vtkSetMacro(UseCustomBounds, bool);
+  vtkGetMacro(UseCustomBounds, bool);
+  vtkBooleanMacro(UseCustomBounds, bool);
+  vtkSetVector6Macro(CustomBounds, double);
+  vtkGetVector6Macro(CustomBounds, double);
+  ///@}
+
   /// Number of segments that were drawn in the last frame, after merging; 0 before the first one
   /// and where lines were drawn as points. Frames of selections do not count.
   vtkGetMacro(NumberOfDrawnSegments, vtkIdType);
@@ -154,6 +168,8 @@ protected:
   std::string TangentArrayName;
   std::string SpecularPowerArrayName;
   double MergeLength = 3.0;
+  bool UseCustomBounds = false;
+  double CustomBounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
   vtkIdType NumberOfDrawnSegments = 0;
 
 private:

@@ -58,7 +58,8 @@ public:
       double point[3];
       GetPosition(this->Points, ids[i], point);
       const double step = std::sqrt(vtkMath::Distance2BetweenPoints(this->End, point));
-      if (this->IsGrowing && !this->Fits(point, step))
+      const bool isBlockEnd = (i - 1) % vtkLineMerging::BlockSize == 0;
+      if (this->IsGrowing && (isBlockEnd || !this->Fits(point, step)))
       {
         this->Finish(indices);
       }

@@ -24,6 +24,10 @@ class vtkPolyData;
 class VTKRENDERINGLINESETS_EXPORT vtkLineMerging
 {
 public:
+  /// Points of a line whose number is a multiple of this are kept, so that a part of a line that
+  /// begins at one is merged as the line is.
+  static constexpr int BlockSize = 32;
+
   /**
    * Two point indices for each piece, line by line, in the order of the lines of the data.
    * Everything is kept that is longer than the length (in data units), or next to points that are

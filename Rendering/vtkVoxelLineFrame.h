@@ -54,6 +54,8 @@ struct vtkVoxelLineFrame
 
   /// Half spaces a x + b y + c z + d >= 0 in grid-local coordinates that are kept.
   std::vector<glm::vec4> ClippingPlanes;
+  /// The same for the region in which what is seen is drawn; it cuts no tube open.
+  std::vector<glm::vec4> RegionPlanes;
 
   /// Tube radius in voxels. Where the model has radii, the radius that byte 255 stands for.
   float Radius = 0.25f;

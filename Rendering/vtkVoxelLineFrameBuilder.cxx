@@ -181,6 +181,37 @@ glm::mat3 GetNormalMatrix(const double matrix[16])
   return normals;
 }
 
+void GetWorldFromLocal(const vtkVoxelLineFrameBuilder::View& view,
+  const vtkVoxelLineFrameBuilder::Grid& grid, double worldFromLocal[16])
+{
+  double dataFromLocal[16];
+  GetDataFromLocal(grid, dataFromLocal);
+  Multiply(view.WorldFromData, dataFromLocal, worldFromLocal);
+}
+
+// The half space that a plane in world coordinates keeps, in grid-local coordinates.
+void AddPlane(const double worldFromLocal[16], const double normal[3], const double origin[3],
+  std::vector<glm::vec4>& planes)
+{
+  double local[4] = { 0.0, 0.0, 0.0, 0.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      local[j] += worldFromLocal[4 * i + j] * normal[i];
+    }
+    // The difference first: both terms may be large.
+    local[3] += (worldFromLocal[4 * i + 3] - origin[i]) * normal[i];
+  }
+  const double length = vtkMath::Norm(local);
+  if (length > 0.0)
+  {
+    planes.emplace_back(static_cast<float>(local[0] / length),
+      static_cast<float>(local[1] / length), static_cast<float>(local[2] / length),
+      static_cast<float>(local[3] / length));
+  }
+}
+
 bool IsNear(float a, float b, float tolerance)
 {
   return a == b || std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
@@ -376,10 +407,8 @@ void vtkVoxelLineFrameBuilder::SetClippingPlanes(
   {
     return;
   }
-  double dataFromLocal[16];
-  GetDataFromLocal(grid, dataFromLocal);
   double worldFromLocal[16];
-  Multiply(view.WorldFromData, dataFromLocal, worldFromLocal);
+  GetWorldFromLocal(view, grid, worldFromLocal);
   vtkCollectionSimpleIterator iterator;
   planes->InitTraversal(iterator);
   while (vtkPlane* plane = planes->GetNextPlane(iterator))
@@ -388,22 +417,26 @@ void vtkVoxelLineFrameBuilder::SetClippingPlanes(
     double origin[3];
     plane->GetNormal(normal);
     plane->GetOrigin(origin);
-    double local[4] = { 0.0, 0.0, 0.0, 0.0 };
-    for (int i = 0; i < 3; ++i)
+    AddPlane(worldFromLocal, normal, origin, frame.ClippingPlanes);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineFrameBuilder::SetRegion(
+  vtkVoxelLineFrame& frame, const double region[6], const View& view, const Grid& grid)
+{
+  frame.RegionPlanes.clear();
+  double worldFromLocal[16];
+  GetWorldFromLocal(view, grid, worldFromLocal);
+  for (int side = 0; side < 6; ++side)
+  {
+    if (std::isfinite(region[side]))
     {
-      for (int j = 0; j < 3; ++j)
-      {
-        local[j] += worldFromLocal[4 * i + j] * normal[i];
-      }
-      // The difference first: both terms may be large.
-      local[3] += (worldFromLocal[4 * i + 3] - origin[i]) * normal[i];
-    }
-    const double length = vtkMath::Norm(local);
-    if (length > 0.0)
-    {
-      frame.ClippingPlanes.emplace_back(static_cast<float>(local[0] / length),
-        static_cast<float>(local[1] / length), static_cast<float>(local[2] / length),
-        static_cast<float>(local[3] / length));
+      double normal[3] = { 0.0, 0.0, 0.0 };
+      double origin[3] = { 0.0, 0.0, 0.0 };
+      normal[side / 2] = side % 2 == 0 ? 1.0 : -1.0;
+      origin[side / 2] = region[side];
+      AddPlane(worldFromLocal, normal, origin, frame.RegionPlanes);
     }
   }
 }
@@ -436,7 +469,8 @@ bool vtkVoxelLineFrameBuilder::SetLighting(vtkVoxelLineFrame& frame, vtkRenderer
 //------------------------------------------------------------------------------
 bool vtkVoxelLineFrameBuilder::IsSamePicture(const vtkVoxelLineFrame& a, const vtkVoxelLineFrame& b)
 {
-  const bool sameView = IsSameView(a, b) && a.ClippingPlanes == b.ClippingPlanes;
+  const bool sameView =
+    IsSameView(a, b) && a.ClippingPlanes == b.ClippingPlanes && a.RegionPlanes == b.RegionPlanes;
   const bool sameColors = a.Coloring == b.Coloring && a.HasNaN == b.HasNaN &&
     (a.Coloring != vtkVoxelLineFrame::Table || a.ColorTable == b.ColorTable);
   const bool sameMaterial = a.AmbientColor == b.AmbientColor && a.DiffuseColor == b.DiffuseColor &&

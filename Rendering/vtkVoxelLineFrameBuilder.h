@@ -91,6 +91,11 @@ public:
   static void SetClippingPlanes(
     vtkVoxelLineFrame& frame, vtkPlaneCollection* planes, const View& view, const Grid& grid);
 
+  /// A box in world coordinates (smallest x, largest x, ...; infinite where it is open) to
+  /// grid-local half spaces. The same side of two boxes gives planes that differ in sign alone.
+  static void SetRegion(
+    vtkVoxelLineFrame& frame, const double region[6], const View& view, const Grid& grid);
+
   /// Colours, coefficients and opacity of a vtkProperty.
   static void SetProperty(vtkVoxelLineFrame& frame, vtkProperty* property);
 

@@ -35,6 +35,16 @@ constexpr double AutomaticRadius = 1.0 / 512.0;
 // Kind of the mapper's own warning, beside those of the painter.
 constexpr int StepsWarning = -1;
 
+void PrintNumbers(ostream& os, vtkIndent indent, const char* name, const double* numbers, int count)
+{
+  os << indent << name << ":";
+  for (int i = 0; i < count; ++i)
+  {
+    os << " " << numbers[i];
+  }
+  os << "\n";
+}
+
 double GetLongestSide(const double bounds[6])
 {
   return std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
@@ -96,6 +106,21 @@ public:
         vtkWarningWithObjectMacro(mapper, << text);
       }
     }
+  }
+
+  static vtkVoxelLineModelSource::Parameters GetParameters(vtkVoxelLineMapper* mapper)
+  {
+    vtkVoxelLineModelSource::Parameters parameters;
+    parameters.Resolution = mapper->Resolution;
+    parameters.FaceBins = mapper->FaceBins;
+    parameters.InteriorTolerance = mapper->InteriorTolerance;
+    parameters.RadiusArrayName = mapper->RadiusArrayName;
+    parameters.UseCustomBounds = mapper->UseCustomBounds;
+    std::copy_n(mapper->CustomBounds, 6, parameters.Custom.Bounds);
+    parameters.UseCustomRanges = mapper->UseCustomRanges;
+    std::copy_n(mapper->CustomAttributeRange, 2, parameters.Custom.AttributeRange);
+    parameters.Custom.MaximumRadius = mapper->CustomMaximumRadius;
+    return parameters;
   }
 
   // DescribeScene() for receivers: the mapper may not be drawn; false: there are no lines.
@@ -218,6 +243,28 @@ void vtkVoxelLineMapper::SetInteriorTolerance(double tolerance)
     this->InteriorTolerance = tolerance;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineMapper::SetRegion(const double region[6])
+{
+  if (std::any_of(region, region + 6, [](double side) { return std::isnan(side); }))
+  {
+    vtkErrorMacro(
+      "A side of Region is not a number. It must be one, or infinite where the region is "
+      "open; all sides stay as they are.");
+  }
+  else if (!std::equal(region, region + 6, this->Region))
+  {
+    std::copy_n(region, 6, this->Region);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkLineVoxelizer::Measures vtkVoxelLineMapper::MeasureLines(vtkPolyData* lines)
+{
+  return vtkVoxelLineModelSource::Measure(this, lines, this->Internals->GetParameters(this));
 }
 
 //------------------------------------------------------------------------------
@@ -391,9 +438,7 @@ vtkVoxelLineModel* vtkVoxelLineMapper::GetModel()
   if (auto* lines = vtkPolyData::SafeDownCast(input))
   {
     std::string warning = this->Internals->LastColorWarning;
-    const double seconds = source.Build(this, lines,
-      { this->Resolution, this->FaceBins, this->InteriorTolerance, this->RadiusArrayName },
-      warning);
+    const double seconds = source.Build(this, lines, this->Internals->GetParameters(this), warning);
     this->ModelBuildTime = seconds >= 0.0 ? seconds : this->ModelBuildTime;
     this->WarnOnce(this->Internals->LastColorWarning, warning);
   }
@@ -434,7 +479,8 @@ double vtkVoxelLineMapper::GetRadiusInUse()
   {
     return this->Radius;
   }
-  const double side = GetLongestSide(model->GetBounds());
+  const double side =
+    GetLongestSide(this->UseCustomBounds ? this->CustomBounds : model->GetBounds());
   // A single point has no extent; the voxel size is what is left.
   return side > 0.0 ? AutomaticRadius * side : 0.5 * model->GetVoxelSize();
 }
@@ -590,6 +636,12 @@ void vtkVoxelLineMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetResolution(other->Resolution);
     this->SetFaceBins(other->FaceBins);
     this->SetInteriorTolerance(other->InteriorTolerance);
+    this->SetUseCustomBounds(other->UseCustomBounds);
+    this->SetCustomBounds(other->CustomBounds);
+    this->SetUseCustomRanges(other->UseCustomRanges);
+    this->SetCustomAttributeRange(other->CustomAttributeRange);
+    this->SetCustomMaximumRadius(other->CustomMaximumRadius);
+    this->SetRegion(other->Region);
     this->SetEarlyTermination(other->EarlyTermination);
     this->SetOpacityAcceleration(other->OpacityAcceleration);
     this->SetEngine(other->Engine);
@@ -616,6 +668,12 @@ void vtkVoxelLineMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Resolution: " << this->Resolution << "\n";
   os << indent << "FaceBins: " << this->FaceBins << "\n";
   os << indent << "InteriorTolerance: " << this->InteriorTolerance << "\n";
+  os << indent << "UseCustomBounds: " << (this->UseCustomBounds ? "On" : "Off") << "\n";
+  PrintNumbers(os, indent, "CustomBounds", this->CustomBounds, 6);
+  os << indent << "UseCustomRanges: " << (this->UseCustomRanges ? "On" : "Off") << "\n";
+  PrintNumbers(os, indent, "CustomAttributeRange", this->CustomAttributeRange, 2);
+  os << indent << "CustomMaximumRadius: " << this->CustomMaximumRadius << "\n";
+  PrintNumbers(os, indent, "Region", this->Region, 6);
   os << indent << "EarlyTermination: " << this->EarlyTermination << "\n";
   os << indent << "OpacityAcceleration: " << this->OpacityAcceleration << "\n";
   os << indent << "Engine: " << this->Engine << "\n";

@@ -64,9 +64,11 @@
 #ifndef vtkVoxelLineMapper_h
 #define vtkVoxelLineMapper_h
 
+#include "vtkLineVoxelizer.h" // For what is measured
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderingLineSetsModule.h" // For export macro
 
+#include <limits> // For open sides
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
@@ -164,6 +166,60 @@ public:
    */
   virtual void SetInteriorTolerance(double tolerance);
   vtkGetMacro(InteriorTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Bounds in data coordinates (smallest x, largest x, ...), used when UseCustomBounds is on
+   * instead of those of the lines: for the grid, see vtkLineVoxelizer, and for the automatic
+   * radius. So several mappers cut their lines at the same places, as processes do of which each
+   * draws a part of a line set. Default off, and 0 1 0 1 0 1. Only for vtkPolyData. Bounds that are
+   * not finite or do not ascend are an error when the model is built.
+   */
+  vtkSetMacro(UseCustomBounds, bool);
+  vtkGetMacro(UseCustomBounds, bool);
+  vtkBooleanMacro(UseCustomBounds, bool);
+  vtkSetVector6Macro(CustomBounds, double);
+  vtkGetVector6Macro(CustomBounds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Range of the scalars that colour the lines and largest radius of RadiusArrayName, used when
+   * UseCustomRanges is on instead of those of the lines, since models store both in 8 bits of
+   * these; see vtkLineVoxelizer. A range that does not ascend and a radius of 0 stand for those of
+   * the lines. Default off, (1, 0) and 0. Only for vtkPolyData.
+   */
+  vtkSetMacro(UseCustomRanges, bool);
+  vtkGetMacro(UseCustomRanges, bool);
+  vtkBooleanMacro(UseCustomRanges, bool);
+  vtkSetVector2Macro(CustomAttributeRange, double);
+  vtkGetVector2Macro(CustomAttributeRange, double);
+  vtkSetMacro(CustomMaximumRadius, double);
+  vtkGetMacro(CustomMaximumRadius, double);
+  ///@}
+
+  /**
+   * What the lines of a vtkPolyData have that CustomBounds, CustomAttributeRange and
+   * CustomMaximumRadius replace, with the colours as they are set now and no regard to the custom
+   * values. The union of what several mappers measure is what they have to share.
+   */
+  vtkLineVoxelizer::Measures MeasureLines(vtkPolyData* lines);
+
+  ///@{
+  /**
+   * Part of the scene that is drawn, a box in world coordinates (smallest x, largest x, ...), for
+   * processes that share a picture; infinite sides are open. What is first seen of a tube outside
+   * is not drawn, and what is first seen inside is drawn whole: other than with clipping planes,
+   * tubes are not cut open, and lines outside cast shadows and occlude as ever. So pictures of
+   * boxes side by side, laid over each other in the order of the boxes, are that of the whole
+   * scene, if each process has all lines of its box and around it, up to the radius and a voxel
+   * more. With OpacityByPathLength it must have them up to five radii and three voxels, and the
+   * light of tubes that a ray follows for longer may change at a side of the box. Default:
+   * everything. NaN is an error.
+   */
+  virtual void SetRegion(const double region[6]);
+  const double* GetRegion() const { return this->Region; }
   ///@}
 
   ///@{
@@ -457,6 +513,13 @@ protected:
   int Resolution = 256;
   int FaceBins = 32;
   double InteriorTolerance = 0.1;
+  bool UseCustomBounds = false;
+  double CustomBounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
+  bool UseCustomRanges = false;
+  double CustomAttributeRange[2] = { 1.0, 0.0 };
+  double CustomMaximumRadius = 0.0;
+  static constexpr double Open = std::numeric_limits<double>::infinity();
+  double Region[6] = { -Open, Open, -Open, Open, -Open, Open };
   double EarlyTermination = 0.99;
   double OpacityAcceleration = 1.0;
   int Engine = Automatic;

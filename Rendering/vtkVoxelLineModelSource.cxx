@@ -78,12 +78,7 @@ double vtkVoxelLineModelSource::Build(
   {
     this->SetInput(mapper, lines, source);
   }
-  this->Voxelizer->SetResolution(parameters.Resolution);
-  this->Voxelizer->SetFaceBins(parameters.FaceBins);
-  this->Voxelizer->SetInteriorTolerance(parameters.InteriorTolerance);
-  this->Voxelizer->SetRadiusArrayName(parameters.RadiusArrayName);
-  this->Voxelizer->SetAttributeComponent(source.Component);
-  this->Voxelizer->SetDirectColors(source.Direct);
+  this->SetParameters(parameters);
 
   const vtkMTimeType before = this->Model ? this->Model->GetMTime() : 0;
   const double start = vtkTimerLog::GetUniversalTime();
@@ -91,6 +86,44 @@ double vtkVoxelLineModelSource::Build(
   this->Model = this->Voxelizer->GetOutput();
   return this->Model && this->Model->GetMTime() != before ? vtkTimerLog::GetUniversalTime() - start
                                                           : -1.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkVoxelLineModelSource::SetParameters(const Parameters& parameters)
+{
+  this->Voxelizer->SetResolution(parameters.Resolution);
+  this->Voxelizer->SetFaceBins(parameters.FaceBins);
+  this->Voxelizer->SetInteriorTolerance(parameters.InteriorTolerance);
+  this->Voxelizer->SetRadiusArrayName(parameters.RadiusArrayName);
+  this->Voxelizer->SetAttributeComponent(this->Source.Component);
+  this->Voxelizer->SetDirectColors(this->Source.Direct);
+  this->Voxelizer->SetUseCustomBounds(parameters.UseCustomBounds);
+  this->Voxelizer->SetUseCustomRanges(parameters.UseCustomRanges);
+  // What is not used must not build the model again.
+  if (parameters.UseCustomBounds)
+  {
+    this->Voxelizer->SetCustomBounds(parameters.Custom.Bounds);
+  }
+  if (parameters.UseCustomRanges)
+  {
+    this->Voxelizer->SetCustomAttributeRange(parameters.Custom.AttributeRange);
+    this->Voxelizer->SetCustomMaximumRadius(parameters.Custom.MaximumRadius);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkLineVoxelizer::Measures vtkVoxelLineModelSource::Measure(
+  vtkMapper* mapper, vtkPolyData* lines, const Parameters& parameters)
+{
+  vtkVoxelLineColoring::Source source;
+  if (mapper->GetScalarVisibility())
+  {
+    source = vtkVoxelLineColoring::Select(mapper, lines);
+  }
+  vtkVoxelLineModelSource other;
+  other.SetInput(mapper, lines, source);
+  other.SetParameters(parameters);
+  return other.Voxelizer->MeasureInput();
 }
 
 //------------------------------------------------------------------------------

@@ -12,12 +12,12 @@
 #ifndef vtkVoxelLineModelSource_h
 #define vtkVoxelLineModelSource_h
 
+#include "vtkLineVoxelizer.h"
 #include "vtkSmartPointer.h"
 #include "vtkVoxelLineColoring.h"
 
 #include <string>
 
-class vtkLineVoxelizer;
 class vtkMapper;
 class vtkPolyData;
 class vtkVoxelLineModel;
@@ -31,11 +31,18 @@ public:
   /// Of the voxelizer; see vtkVoxelLineMapper.
   struct Parameters
   {
-    int Resolution;
-    int FaceBins;
-    double InteriorTolerance;
+    int Resolution = 256;
+    int FaceBins = 32;
+    double InteriorTolerance = 0.0;
     std::string RadiusArrayName;
+    bool UseCustomBounds = false;
+    bool UseCustomRanges = false;
+    vtkLineVoxelizer::Measures Custom;
   };
+
+  /// What is measured of lines with what the mapper colours them by.
+  static vtkLineVoxelizer::Measures Measure(
+    vtkMapper* mapper, vtkPolyData* lines, const Parameters& parameters);
 
   /**
    * Voxelize lines, where they or a parameter changed, with what the mapper colours them by.
@@ -65,6 +72,7 @@ private:
   void operator=(const vtkVoxelLineModelSource&) = delete;
 
   void SetInput(vtkMapper* mapper, vtkPolyData* lines, const vtkVoxelLineColoring::Source& source);
+  void SetParameters(const Parameters& parameters);
 
   vtkSmartPointer<vtkLineVoxelizer> Voxelizer;
   vtkSmartPointer<vtkVoxelLineModel> Model;

@@ -132,6 +132,8 @@ struct RayCaster
     , DepthW(settings.DepthW)
     , PlaneCount(static_cast<int>(settings.ClippingPlanes.size()))
     , Planes(settings.ClippingPlanes.data())
+    , RegionPlaneCount(static_cast<int>(settings.RegionPlanes.size()))
+    , RegionPlanes(settings.RegionPlanes.data())
     , Radius(settings.Radius)
     , LargestRadius(settings.ThinTubes ? settings.LargestRadius : settings.Radius)
     , Interactive(settings.Interactive)
@@ -393,6 +395,8 @@ struct RayCaster
   vec2 DepthW;
   int PlaneCount;
   const vec4* Planes;
+  int RegionPlaneCount;
+  const vec4* RegionPlanes;
   ivec3 GridDimensions;
   ivec3 BrickDimensions;
   Real Radius;

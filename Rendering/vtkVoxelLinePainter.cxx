@@ -167,6 +167,7 @@ std::string vtkVoxelLinePainter::Describe(vtkVoxelLinePictureKey& wanted, const 
     return error;
   }
   vtkVoxelLineFrameBuilder::SetClippingPlanes(frame, scene.Mapper->GetClippingPlanes(), view, grid);
+  vtkVoxelLineFrameBuilder::SetRegion(frame, scene.Mapper->GetRegion(), view, grid);
   vtkVoxelLineFrameBuilder::SetProperty(frame, actor->GetProperty());
   if (!vtkVoxelLineFrameBuilder::SetLighting(
         frame, renderer, scene.Mapper->GetIllumination(), actor->GetProperty()))

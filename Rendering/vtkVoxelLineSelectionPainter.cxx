@@ -86,6 +86,7 @@ std::string vtkVoxelLineSelectionPainter::DrawNumbers(const vtkVoxelLineScene& s
   }
   vtkVoxelLineFrameBuilder::SetClippingPlanes(
     wanted.Frame, scene.Mapper->GetClippingPlanes(), view, grid);
+  vtkVoxelLineFrameBuilder::SetRegion(wanted.Frame, scene.Mapper->GetRegion(), view, grid);
   scene.Widen(tubes, wanted.Frame, ignored);
 
   // The selector draws the scene once per number; one picture serves for all.

@@ -25,6 +25,8 @@ std::string vtkVoxelLineShaderUniforms::MakeConstants(
   { os << "const " << type << " " << name << " = " << type << "(" << value << ");\n"; };
   constant("int", "MaximumPlanes", MaximumPlanes);
   constant("int", "PlaneCount", static_cast<int>(frame.ClippingPlanes.size()));
+  constant("int", "MaximumRegionPlanes", MaximumRegionPlanes);
+  constant("int", "RegionPlaneCount", static_cast<int>(frame.RegionPlanes.size()));
   constant("int", "SegmentWords", model->GetSegmentWords());
   constant("int", "FaceBits", faceBits);
   constant("int", "InteriorBins", std::max(model->GetInteriorBins(), 1));
@@ -86,6 +88,11 @@ void vtkVoxelLineShaderUniforms::Set(vtkShaderProgram* program, vtkVoxelLineMode
   {
     program->SetUniform4fv(
       "Planes", static_cast<int>(frame.ClippingPlanes.size()), &frame.ClippingPlanes[0][0]);
+  }
+  if (!frame.RegionPlanes.empty())
+  {
+    program->SetUniform4fv(
+      "RegionPlanes", static_cast<int>(frame.RegionPlanes.size()), &frame.RegionPlanes[0][0]);
   }
   int size[3];
   model->GetDimensions(size);

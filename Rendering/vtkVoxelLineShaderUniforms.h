@@ -18,6 +18,8 @@ namespace vtkVoxelLineShaderUniforms
 {
 // As many clipping planes as OpenGL guarantees.
 constexpr int MaximumPlanes = 8;
+// The sides of a box.
+constexpr int MaximumRegionPlanes = 6;
 
 /// The constants that make one kind of shader out of the common source. hasLevel: the model of a
 /// level is there as well.

@@ -15,7 +15,7 @@ const Real AccelerationSpread = Real(0.5);
 // Ends the ray behind the layer that it sees at a distance.
 void accelerate(Real seen)
 {
-  Real depth = coneDepth(Ray.Origin + Ray.Direction * seen, Ray.Direction, ConeStart, Ray.Limit - seen,
+  Real depth = coneDepth(Ray.Origin + Ray.Direction * seen, Ray.Direction, ConeStart, min(Ray.Limit, Ray.DrawnTo) - seen,
     AccelerationSpread);
   Real rest = (Real(1) - RayOpacity) * (Real(1) - exp(-depth));
   RayColor += RayColor * (rest / RayOpacity);

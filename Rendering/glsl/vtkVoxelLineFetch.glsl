@@ -24,6 +24,7 @@ uniform float FarthestS;
 uniform vec2 DepthZ;
 uniform vec2 DepthW;
 uniform vec4 Planes[MaximumPlanes];
+uniform vec4 RegionPlanes[MaximumRegionPlanes];
 uniform vec3 GridSize;
 uniform vec3 BrickGridSize;
 uniform float Radius;

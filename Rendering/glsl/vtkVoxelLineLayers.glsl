@@ -81,9 +81,18 @@ Real layerOpacity(Real opacity, Real coverage, Real before, Real upTo)
   return max(Real(1) - clearUpTo / max(clearBefore, Real(1e-30)), Real(0));
 }
 
+bool isDrawn(Real seen)
+{
+  return seen >= Ray.DrawnFrom && seen < Ray.DrawnTo;
+}
+
 // Blends what is seen at a distance behind all that was blended before.
 void blend(vec3 shade, Real opacity, Real seen, uint segment, int brick)
 {
+  if (!isDrawn(seen))
+  {
+    return;
+  }
   if (!HasLayer)
   {
     HasLayer = true;
@@ -104,6 +113,11 @@ void blend(vec3 shade, Real opacity, Real seen, uint segment, int brick)
 // some way in it.
 void blendLayer(Real seen, bool fromInside, Real way, uint segment, int brick, ivec3 voxel)
 {
+  // The light of a stretch that begins outside may be asked for inside.
+  if (!OpacityByPathLength && !isDrawn(seen))
+  {
+    return;
+  }
   vec3 a;
   vec3 b;
   Real ra;

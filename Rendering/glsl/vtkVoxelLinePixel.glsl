@@ -4,7 +4,11 @@
 // The ray of one pixel: its interval between the near plane, the far plane, the clipping planes and
 // the opaque scene, its way through the model, its colour and depth. Common subset of GLSL and C++
 // with GLM. The engine supplies RayOrigins[3], RayDirections[3], HalfPixel, NearestS, FarthestS, DepthZ,
-// DepthW, PlaneCount and Planes[] as vtkVoxelLineFrame tells.
+// DepthW, PlaneCount, Planes[], RegionPlaneCount and RegionPlanes[] as vtkVoxelLineFrame tells.
+//
+// A region of the scene that is drawn by itself is no clipped scene: a tube that the ray entered
+// before the region is not cut open by it. Its layer belongs to where it is seen first, so that the
+// pictures of regions side by side, laid over each other in order, are the picture of all.
 
 // s at which a point has a depth from 0 to 1.
 Real distanceOfDepth(Real depth)
@@ -16,6 +20,26 @@ Real distanceOfDepth(Real depth)
 Real depthOfDistance(Real s)
 {
   return Real(0.5) * (DepthZ.x + s * DepthZ.y) / (DepthW.x + s * DepthW.y) + Real(0.5);
+}
+
+// Narrows an interval of s to the half space that a plane keeps.
+void clipToPlane(vec4 plane, vec3 origin, vec3 direction, LS_INOUT(Real) start, LS_INOUT(Real) end)
+{
+  vec3 normal = vec3(plane);
+  Real atOrigin = dot(normal, origin) + plane.w;
+  Real perS = dot(normal, direction);
+  if (perS > Real(0))
+  {
+    start = max(start, -atOrigin / perS);
+  }
+  else if (perS < Real(0))
+  {
+    end = min(end, -atOrigin / perS);
+  }
+  else if (atOrigin < Real(0))
+  {
+    end = start;
+  }
 }
 
 // Casts the ray through the point (x,y) of the viewport, in pixels. sceneDepth is the depth of the
@@ -32,21 +56,13 @@ void castPixel(Real x, Real y, Real sceneDepth, LS_OUT(vec4) color, LS_OUT(Real)
   }
   for (int i = 0; i < PlaneCount; ++i)
   {
-    vec3 normal = vec3(Planes[i]);
-    Real atOrigin = dot(normal, origin) + Planes[i].w;
-    Real perS = dot(normal, direction);
-    if (perS > Real(0))
-    {
-      start = max(start, -atOrigin / perS);
-    }
-    else if (perS < Real(0))
-    {
-      end = min(end, -atOrigin / perS);
-    }
-    else if (atOrigin < Real(0))
-    {
-      end = start;
-    }
+    clipToPlane(Planes[i], origin, direction, start, end);
+  }
+  Real drawnFrom = -Beyond;
+  Real drawnTo = Beyond;
+  for (int i = 0; i < RegionPlaneCount; ++i)
+  {
+    clipToPlane(RegionPlanes[i], origin, direction, drawnFrom, drawnTo);
   }
   color = vec4(Real(0));
   depth = Real(1);
@@ -54,11 +70,13 @@ void castPixel(Real x, Real y, Real sceneDepth, LS_OUT(vec4) color, LS_OUT(Real)
   FirstCurve = -1;
   Forgot = false;
   Real size = length(direction);
-  if (!(start < end) || !(size > Real(0)))
+  if (!(max(start, drawnFrom) < min(end, drawnTo)) || !(size > Real(0)))
   {
     return;
   }
   Ray.Pixel = vec2(HalfPixel.x, HalfPixel.y / size);
+  Ray.DrawnFrom = drawnFrom * size;
+  Ray.DrawnTo = drawnTo * size;
   castRay(origin, direction / size, start * size, end * size);
   if (HasLayer && RayOpacity > Real(0))
   {

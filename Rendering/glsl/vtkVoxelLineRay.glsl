@@ -13,6 +13,9 @@ struct RayState
   Real Start;
   Real End;
   Real Limit; // End before opaque hits shortened it
+  // What is seen from here on, and before there, is drawn; see vtkVoxelLinePixel.glsl.
+  Real DrawnFrom;
+  Real DrawnTo;
   // Half a pixel at a distance t, in voxels, is Pixel.x + t Pixel.y.
   vec2 Pixel;
   // Largest radius that the ray may meet, as it is drawn.

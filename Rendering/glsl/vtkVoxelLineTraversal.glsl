@@ -27,6 +27,10 @@
 // Where the ray starts inside a tube (camera or clipping plane inside), the tube's far wall is seen:
 // its layer is put off until the ray leaves the tube.
 //
+// Where a part of the ray is drawn only, layers that are seen outside of it are not blended, and slabs
+// outside are not visited. All tubes that reach into it are found, also those that the ray entered
+// before, so that what only prolongs a stretch is known.
+//
 // While hits are blended, further rays may be cast towards lights: vtkVoxelLineOcclusionRay.glsl.
 //
 // The engine supplies what vtkVoxelLineFrame and vtkVoxelLineModel tell: GridDimensions,
@@ -48,8 +52,10 @@ void castRay(vec3 origin, vec3 direction, Real start, Real end)
 {
   Ray.Origin = origin;
   Ray.Direction = direction;
-  Real gridStart = start;
-  Real gridEnd = end;
+  // The light of a stretch is that of the wall where it began.
+  Real lead = OpacityByPathLength ? Real(4) * LargestRadius + Real(2) : Real(0);
+  Real gridStart = max(start, Ray.DrawnFrom - lead);
+  Real gridEnd = min(end, Ray.DrawnTo);
   Ray.Radius = LargestRadius;
   Ray.Reach = Interactive ? Real(0) : Ray.Radius;
   clipToGrid(gridStart, gridEnd);

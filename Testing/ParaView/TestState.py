@@ -27,7 +27,9 @@ def list_names(proxy_name):
 def find_properties(display, representation):
     """Names of those that ParaView's own surface does not have."""
     names = list_names(REPRESENTATIONS[representation]) - list_names("SurfaceRepresentation")
-    return sorted(names & set(display.ListProperties()))
+    # What only tells of the last picture is no state.
+    return sorted(name for name in names & set(display.ListProperties())
+                  if not display.SMProxy.GetProperty(name).GetInformationOnly())
 
 
 def get_domain(prop, kind):
@@ -42,8 +44,6 @@ def get_domain(prop, kind):
 
 def find_other_value(prop):
     """Another valid value of a property of one number; None for others."""
-    if prop.GetInformationOnly():
-        return None
     if not prop.IsA("vtkSMVectorProperty") or prop.GetNumberOfElements() != 1:
         return None
     if not prop.IsA("vtkSMIntVectorProperty") and not prop.IsA("vtkSMDoubleVectorProperty"):

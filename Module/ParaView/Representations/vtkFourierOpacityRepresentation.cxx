@@ -7,6 +7,8 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
+#include <limits>
+
 vtkStandardNewMacro(vtkFourierOpacityRepresentation);
 
 //------------------------------------------------------------------------------
@@ -93,6 +95,18 @@ std::vector<std::string> vtkFourierOpacityRepresentation::GetArraysInUse()
 void vtkFourierOpacityRepresentation::CheckLines(vtkPolyData* lines)
 {
   this->CheckColorArray(lines);
+}
+
+//------------------------------------------------------------------------------
+double vtkFourierOpacityRepresentation::SetSharedMeasures(const Measures* vtkNotUsed(measures))
+{
+  return std::numeric_limits<double>::infinity();
+}
+
+//------------------------------------------------------------------------------
+void vtkFourierOpacityRepresentation::SetRegion(const double region[6])
+{
+  vtkFourierOpacityMapper::SafeDownCast(this->GetLineMapper())->SetRegion(region);
 }
 
 //------------------------------------------------------------------------------

@@ -55,6 +55,11 @@ protected:
 
   std::vector<std::string> GetArraysInUse() override;
   void CheckLines(vtkPolyData* lines) override;
+  /// Always: whatever is not important lets something through.
+  bool NeedsOrderedCompositing() override { return true; }
+  /// Opacity depends on all that is drawn: every rank gets all of it.
+  double SetSharedMeasures(const Measures* measures) override;
+  void SetRegion(const double region[6]) override;
 
   bool UseImportanceRange = false;
   double ImportanceRange[2] = { 0.0, 1.0 };

@@ -55,6 +55,20 @@ void vtkIlluminatedLinesRepresentation::CheckLines(vtkPolyData* lines)
 }
 
 //------------------------------------------------------------------------------
+double vtkIlluminatedLinesRepresentation::SetSharedMeasures(const Measures* measures)
+{
+  auto* mapper = vtkIlluminatedLineMapper::SafeDownCast(this->GetLineMapper());
+  const bool hasBounds = measures && measures->Bounds[0] <= measures->Bounds[1];
+  mapper->SetUseCustomBounds(hasBounds);
+  if (hasBounds)
+  {
+    mapper->SetCustomBounds(measures->Bounds);
+  }
+  // A fragment belongs to where the axis of its line is.
+  return 0.0;
+}
+
+//------------------------------------------------------------------------------
 void vtkIlluminatedLinesRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

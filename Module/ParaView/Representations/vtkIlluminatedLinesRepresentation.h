@@ -43,6 +43,7 @@ protected:
 
   std::vector<std::string> GetArraysInUse() override;
   void CheckLines(vtkPolyData* lines) override;
+  double SetSharedMeasures(const Measures* measures) override;
 
 private:
   vtkIlluminatedLinesRepresentation(const vtkIlluminatedLinesRepresentation&) = delete;

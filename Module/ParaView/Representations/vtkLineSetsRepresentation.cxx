@@ -10,17 +10,21 @@
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkLineSetsBlocks.h"
+#include "vtkLineSetsShare.h"
 #include "vtkLineSetsThinning.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPVGeometryFilter.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
+#include "vtkPlane.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkVoxelLineMapper.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -51,6 +55,7 @@ void SetInput(vtkPolyDataMapper* mapper, vtkPolyData* lines)
 struct vtkLineSetsRepresentation::Level
 {
   vtkLineSetsBlocks Blocks;
+  vtkLineSetsShare Shared;
   vtkNew<vtkCompositeDataDisplayAttributes> Attributes;
   /// What the attributes are of.
   vtkSmartPointer<vtkDataObject> Data;
@@ -133,7 +138,14 @@ int vtkLineSetsRepresentation::ProcessViewRequest(
   const bool isDetail = request == vtkPVView::REQUEST_UPDATE_LOD();
   if (!isDetail && request != vtkPVView::REQUEST_RENDER())
   {
-    return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
+    const int done = this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
+    if (done && request == vtkPVView::REQUEST_UPDATE() && !this->GetUseDataPartitions())
+    {
+      // The view parts space by these lines, but they are handed on here, not by the view.
+      vtkPVRenderView::SetOrderedCompositingConfiguration(
+        inInfo, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+    }
+    return done;
   }
   // Polygons have only the superclass's level of detail.
   if (isDetail && this->IsThinned() && !inInfo->Has(vtkPVRenderView::USE_OUTLINE_FOR_LOD()) &&
@@ -214,13 +226,15 @@ void vtkLineSetsRepresentation::UpdateLines(vtkInformation* viewInfo)
 
   if (detail)
   {
-    SetInput(this->UpdateLevelOfDetailMapper(detail),
-      this->Thin->Blocks.Join(detail, this->Thin->Attributes, request));
+    vtkPolyData* lines = this->Thin->Blocks.Join(detail, this->Thin->Attributes, request);
+    // Settles what the mapper of the whole is told, before that of the detail takes it over.
+    vtkPolyData* mine = this->IsOutline(detail) ? lines : this->Share(*this->Thin, lines, viewInfo);
+    SetInput(this->UpdateLevelOfDetailMapper(detail), mine);
   }
   else
   {
     vtkPolyData* lines = this->Whole->Blocks.Join(data, this->Whole->Attributes, request);
-    SetInput(this->GetLineMapper(), lines);
+    SetInput(this->GetLineMapper(), this->Share(*this->Whole, lines, viewInfo));
     this->CheckLines(lines);
     for (const std::string& warning : this->Whole->Blocks.GetWarnings())
     {
@@ -231,10 +245,16 @@ void vtkLineSetsRepresentation::UpdateLines(vtkInformation* viewInfo)
 }
 
 //------------------------------------------------------------------------------
+bool vtkLineSetsRepresentation::IsOutline(vtkDataObject* detail)
+{
+  return !this->IsThinned() || detail->GetFieldData()->HasArray(OutlineMark);
+}
+
+//------------------------------------------------------------------------------
 vtkPolyDataMapper* vtkLineSetsRepresentation::UpdateLevelOfDetailMapper(vtkDataObject* detail)
 {
   auto* lines = vtkPolyDataMapper::SafeDownCast(this->LODMapper);
-  const bool isOutline = !this->IsThinned() || detail->GetFieldData()->HasArray(OutlineMark);
+  const bool isOutline = this->IsOutline(detail);
   if (!isOutline && this->ThinMapperTime < this->Mapper->GetMTime())
   {
     // Shares the illumination and all else that is an object.
@@ -337,6 +357,87 @@ void vtkLineSetsRepresentation::WarnOnce(const std::string& warning)
   {
     vtkWarningMacro(<< warning);
   }
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkLineSetsRepresentation::Share(
+  Level& level, vtkPolyData* lines, vtkInformation* viewInfo)
+{
+  level.Shared.SetView(
+    vtkPVRenderView::SafeDownCast(viewInfo->Get(vtkPVView::VIEW())), &level == this->Thin.get());
+  if (!level.Shared.IsParted())
+  {
+    this->SetSharedMeasures(nullptr);
+    this->SetRegion(level.Shared.GetRegion().data());
+    return lines;
+  }
+  const Measures measures = level.Shared.Reduce(this->MeasureLines(lines), lines);
+  const double margin = this->SetSharedMeasures(&measures);
+  // A view that has data partitioned by ranks already leaves it where it is.
+  const bool moves = level.Shared.IsOrdered() && !this->GetUseDataPartitions();
+  vtkPolyData* mine = lines;
+  if (moves)
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    this->Actor->GetMatrix(matrix);
+    mine = level.Shared.Distribute(lines, matrix, margin);
+  }
+  this->SetRegion(
+    moves ? level.Shared.GetRegion().data() : vtkLineSetsDistribution::GetOpenBox().data());
+  return mine;
+}
+
+//------------------------------------------------------------------------------
+vtkLineSetsRepresentation::Measures vtkLineSetsRepresentation::MeasureLines(vtkPolyData* lines)
+{
+  Measures measures;
+  lines->GetBounds(measures.Bounds);
+  return measures;
+}
+
+//------------------------------------------------------------------------------
+double vtkLineSetsRepresentation::SetSharedMeasures(const Measures* vtkNotUsed(measures))
+{
+  return 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsRepresentation::SetRegion(const double region[6])
+{
+  std::vector<vtkSmartPointer<vtkPlane>> planes;
+  for (int side = 0; side < 6; ++side)
+  {
+    if (std::isfinite(region[side]))
+    {
+      double normal[3] = { 0.0, 0.0, 0.0 };
+      double origin[3] = { 0.0, 0.0, 0.0 };
+      normal[side / 2] = side % 2 == 0 ? 1.0 : -1.0;
+      origin[side / 2] = region[side];
+      auto plane = vtkSmartPointer<vtkPlane>::New();
+      plane->SetNormal(normal);
+      plane->SetOrigin(origin);
+      planes.push_back(plane);
+    }
+  }
+  const auto isSame = [](vtkPlane* a, vtkPlane* b)
+  {
+    return std::equal(a->GetNormal(), a->GetNormal() + 3, b->GetNormal()) &&
+      std::equal(a->GetOrigin(), a->GetOrigin() + 3, b->GetOrigin());
+  };
+  if (std::equal(
+        planes.begin(), planes.end(), this->RegionPlanes.begin(), this->RegionPlanes.end(), isSame))
+  {
+    return;
+  }
+  for (vtkPlane* plane : this->RegionPlanes)
+  {
+    this->Mapper->RemoveClippingPlane(plane);
+  }
+  for (vtkPlane* plane : planes)
+  {
+    this->Mapper->AddClippingPlane(plane);
+  }
+  this->RegionPlanes = planes;
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,11 @@
  * that are visible into one vtkPolyData there, since a line mapper draws all lines of a set
  * together (one voxel model, one order of blending), and gives it to the mapper.
  *
+ * On several ranks, each rank draws the lines that it has and depth tells what is in front, as long
+ * as all is opaque. Else each gets the lines of its part of space (vtkLineSetsDistribution), and
+ * draws what is in that part alone. What is measured of the lines is shared before, so that all
+ * ranks draw as one would.
+ *
  * What ParaView stores per block besides visibility (colours, opacities, colour arrays of single
  * blocks) has no counterpart in such a mapper: it is told once that it is ignored. So is what some
  * visible blocks lack of the arrays in use (vtkLineSetsBlocks).
@@ -24,8 +29,9 @@
 #define vtkLineSetsRepresentation_h
 
 #include "vtkGeometryRepresentation.h"
+#include "vtkLineVoxelizer.h"          // For what is measured
 #include "vtkParaViewLineSetsModule.h" // For export macro
-#include "vtkSmartPointer.h"           // For mappers
+#include "vtkSmartPointer.h"           // For mappers and planes
 
 #include <memory> // For std::unique_ptr
 #include <set>    // For what has been said
@@ -34,6 +40,7 @@
 
 class vtkLineSetsBlocks;
 class vtkLineSetsThinning;
+class vtkPlane;
 class vtkPolyData;
 class vtkPolyDataMapper;
 
@@ -86,12 +93,30 @@ protected:
   /// Overridden since arrays of field data become arrays of cells where blocks are joined.
   void UpdateColoringParameters() override;
 
+  using Measures = vtkLineVoxelizer::Measures;
+
+  /// What has to be the same on all ranks; by default the bounds of the lines.
+  virtual Measures MeasureLines(vtkPolyData* lines);
+
+  /**
+   * Take what is measured of the lines of all ranks; null: the mapper draws all there is and
+   * measures by itself. Returns how far around its part of space a rank must know the lines, in
+   * units of the data; infinity: all of them. By default nothing is done and 0 is returned.
+   */
+  virtual double SetSharedMeasures(const Measures* measures);
+
+  /// Draw only what is in a box in world coordinates, infinite sides are open. By default by
+  /// clipping planes of the mapper, beside those that a user has set.
+  virtual void SetRegion(const double region[6]);
+
 private:
   vtkLineSetsRepresentation(const vtkLineSetsRepresentation&) = delete;
   void operator=(const vtkLineSetsRepresentation&) = delete;
 
   void UpdateLevelOfDetail(vtkInformation* viewInfo);
   void UpdateLines(vtkInformation* viewInfo);
+  /// Whether a level of detail is no more than an outline.
+  bool IsOutline(vtkDataObject* detail);
   /// The mapper that draws the level of detail, with the settings of the other one.
   vtkPolyDataMapper* UpdateLevelOfDetailMapper(vtkDataObject* detail);
   void UpdateBlockAttributes(vtkDataObject* data, vtkDataObject* detail);
@@ -99,6 +124,8 @@ private:
 
   /// The lines of one level of detail and what ParaView sets for their blocks.
   struct Level;
+  vtkPolyData* Share(Level& level, vtkPolyData* lines, vtkInformation* viewInfo);
+
   std::unique_ptr<Level> Whole;
   std::unique_ptr<Level> Thin;
   std::unique_ptr<vtkLineSetsThinning> Thinning;
@@ -106,6 +133,8 @@ private:
   /// When the mapper of the thin level got its settings.
   vtkTimeStamp ThinMapperTime;
   std::set<std::string> Said;
+  /// Those of the mapper's clipping planes that are this representation's.
+  std::vector<vtkSmartPointer<vtkPlane>> RegionPlanes;
 };
 
 #endif

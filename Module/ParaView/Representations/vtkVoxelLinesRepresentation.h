@@ -13,6 +13,9 @@
 
 #include "vtkLineSetsRepresentation.h"
 #include "vtkParaViewLineSetsModule.h" // For export macro
+#include "vtkWeakPointer.h"            // For what was measured
+
+class vtkVoxelLineMapper;
 
 class VTKPARAVIEWLINESETS_EXPORT vtkVoxelLinesRepresentation : public vtkLineSetsRepresentation
 {
@@ -35,10 +38,24 @@ protected:
 
   bool IsThinned() override { return false; }
   std::vector<std::string> GetArraysInUse() override;
+  /// Also where tubes are opaque, which let something through where they are thinner than a pixel,
+  /// and where lines of other ranks cast shadows.
+  bool NeedsOrderedCompositing() override;
+  Measures MeasureLines(vtkPolyData* lines) override;
+  double SetSharedMeasures(const Measures* measures) override;
+  void SetRegion(const double region[6]) override;
 
 private:
   vtkVoxelLinesRepresentation(const vtkVoxelLinesRepresentation&) = delete;
   void operator=(const vtkVoxelLinesRepresentation&) = delete;
+
+  vtkVoxelLineMapper* GetVoxelLineMapper();
+
+  /// What was measured last, and of what.
+  Measures Measured;
+  vtkWeakPointer<vtkPolyData> MeasuredLines;
+  vtkMTimeType MeasuredLinesTime = 0;
+  vtkMTimeType MeasuredMapperTime = 0;
 };
 
 #endif

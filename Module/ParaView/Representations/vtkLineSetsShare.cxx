@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) LineSets contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLineSetsShare.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCommunicator.h"
+#include "vtkMPIMoveData.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPVRenderView.h"
+#include "vtkPVRenderViewDataDeliveryManager.h"
+
+#include <algorithm>
+#include <limits>
+
+//------------------------------------------------------------------------------
+void vtkLineSetsShare::SetView(vtkPVRenderView* view, bool isDetail)
+{
+  this->Controller = nullptr;
+  this->Boxes.clear();
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  // In other modes of delivery a process that draws has all lines.
+  if (!view || !controller || controller->GetNumberOfProcesses() < 2 ||
+    view->GetDataDistributionMode(isDetail) != vtkMPIMoveData::PASS_THROUGH)
+  {
+    return;
+  }
+  this->Controller = controller;
+  auto* manager = vtkPVRenderViewDataDeliveryManager::SafeDownCast(view->GetDeliveryManager());
+  // There are no boxes where there is no data at all.
+  if (view->GetUseOrderedCompositing() && manager &&
+    static_cast<int>(manager->GetCuts().size()) == controller->GetNumberOfProcesses())
+  {
+    this->Boxes = vtkLineSetsDistribution::OpenBoxes(manager->GetCuts());
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkLineSetsShare::Measures vtkLineSetsShare::Reduce(const Measures& measures, vtkPolyData* lines)
+{
+  // All as largest values; what a rank does not have counts for nothing.
+  constexpr double none = std::numeric_limits<double>::lowest();
+  double mine[10];
+  const bool hasBounds = measures.Bounds[0] <= measures.Bounds[1];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    mine[2 * axis] = hasBounds ? -measures.Bounds[2 * axis] : none;
+    mine[2 * axis + 1] = hasBounds ? measures.Bounds[2 * axis + 1] : none;
+  }
+  const bool hasRange = measures.AttributeRange[0] <= measures.AttributeRange[1];
+  mine[6] = hasRange ? -measures.AttributeRange[0] : none;
+  mine[7] = hasRange ? measures.AttributeRange[1] : none;
+  mine[8] = measures.MaximumRadius;
+  mine[9] = this->Distribution.IsChanged(lines) ? 1.0 : 0.0;
+
+  double all[10];
+  this->Controller->AllReduce(mine, all, 10, vtkCommunicator::MAX_OP);
+
+  Measures shared;
+  if (all[1] > none)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      shared.Bounds[2 * axis] = -all[2 * axis];
+      shared.Bounds[2 * axis + 1] = all[2 * axis + 1];
+    }
+  }
+  if (all[7] > none)
+  {
+    shared.AttributeRange[0] = -all[6];
+    shared.AttributeRange[1] = all[7];
+  }
+  shared.MaximumRadius = all[8];
+  this->IsChanged = all[9] > 0.0;
+  return shared;
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkLineSetsShare::Distribute(vtkPolyData* lines, vtkMatrix4x4* matrix, double margin)
+{
+  return this->Distribution.Distribute(
+    lines, this->IsChanged, this->Boxes, matrix, margin, this->Controller);
+}
+
+//------------------------------------------------------------------------------
+vtkLineSetsDistribution::Box vtkLineSetsShare::GetRegion() const
+{
+  return this->IsOrdered()
+    ? this->Boxes[static_cast<std::size_t>(this->Controller->GetLocalProcessId())]
+    : vtkLineSetsDistribution::GetOpenBox();
+}
