@@ -93,7 +93,8 @@ def make_scene(representation):
     # As the panels do it, so that it is traced.
     items = [smtrace.PropertiesModified(proxy.SMProxy) for proxy in (display, view)]
     display.ImportanceArray = "Height"
-    display.Opacity = 0.5
+    display.Opacity = 0.8
+    display.LineWidth = 4
     change_properties(display, representation)
     view.ViewSize = [200, 200]
     view.OrientationAxesVisibility = 0
