@@ -21,8 +21,11 @@ export HOME=$PWD/window.home XDG_RUNTIME_DIR=$PWD/window.home QT_QPA_PLATFORM=xc
 rm -rf "$HOME"
 mkdir -p "$HOME/.config/ParaView"
 chmod 700 "$HOME"
+# ParaView 5 has a file per version.
 version=$(paraview --version | grep -oE '[0-9]+\.[0-9]+\.[0-9]+' | head -n 1)
-printf '[General]\nGeneralSettings.ShowWelcomeDialog=0\n' >"$HOME/.config/ParaView/ParaView$version.ini"
+for settings in ParaView "ParaView$version"; do
+  printf '[General]\nGeneralSettings.ShowWelcomeDialog=0\n' >"$HOME/.config/ParaView/$settings.ini"
+done
 
 PYTHONPATH=$here paraview --script="$here/client_window.py" >window.log 2>&1 &
 client=$!

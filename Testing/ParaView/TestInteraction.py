@@ -123,7 +123,9 @@ simple.Render(view)
 view.LODResolution = 0.1
 moving = interact(view)
 fewer = get_actor(display).GetLODMapper().GetInput().GetNumberOfPolys()
-testing.check(0 < fewer < 20000 and count(moving) > 1000, "decimated to %d polygons" % fewer)
+# How many are left differs between versions.
+testing.check(0 < fewer < sphere.GetOutput().GetNumberOfPolys() and count(moving) > 1000,
+              "decimated to %d polygons" % fewer)
 simple.Hide(surface, view)
 messages.take()
 

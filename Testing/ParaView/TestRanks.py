@@ -21,9 +21,8 @@ def show(data, name, association, array, largest):
     # It makes differences of one larger, where they decide what is an edge.
     view.UseFXAA = 0
     display = simple.Show(lines, view)
-    simple.ColorBy(display, (association, array))
     # Each rank that runs the script knows the range of its own lines.
-    simple.GetColorTransferFunction(array).RescaleTransferFunction(0.0, largest)
+    testing.color_by(display, association, array, 0.0, largest)
     view.CameraPosition = [4.0, 3.0, 3.5]
     view.CameraViewUp = [0.0, 0.0, 1.0]
     return view, display
