@@ -32,7 +32,8 @@ def draw(lines, representation, view):
     """Shows the lines as the representation does best."""
     display = Show(lines, view)
     ColorBy(display, ("POINTS", "speed"))
-    display.RescaleTransferFunctionToDataRange(False)
+    # Few lines are faster.
+    GetColorTransferFunction("speed").RescaleTransferFunction(0.0, 12.0)
     display.Representation = representation
     if representation == "Voxel Lines":
         display.Radius = 0.12
@@ -57,8 +58,11 @@ here = os.path.dirname(os.path.abspath(__file__))
 streamlines = trace(os.path.join(here, "..", "..", "Testing", "Data", "carotid.vti"))
 view = GetActiveViewOrCreate("RenderView")
 draw(streamlines, arguments.representation, view)
-view.ResetActiveCameraToNegativeZ()
+view.CameraFocalPoint = [0.0, 0.0, 0.0]
+view.CameraPosition = [0.3, -0.9, 0.35]
+view.CameraViewUp = [0.0, 0.0, 1.0]
 ResetCamera(view)
+GetActiveCamera().Zoom(1.3)
 Render(view)
 if arguments.output:
     SaveScreenshot(arguments.output, view, ImageResolution=[1024, 768])
