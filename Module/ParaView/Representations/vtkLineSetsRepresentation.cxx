@@ -368,11 +368,16 @@ vtkPolyData* vtkLineSetsRepresentation::Share(
   if (!level.Shared.IsParted())
   {
     this->SetSharedMeasures(nullptr);
+    this->Margin = -1.0;
     this->SetRegion(level.Shared.GetRegion().data());
     return lines;
   }
   const Measures measures = level.Shared.Reduce(this->MeasureLines(lines), lines);
-  const double margin = this->SetSharedMeasures(&measures);
+  // A level of detail is drawn with what was measured of the whole, which so keeps what it built.
+  if (&level == this->Whole.get() || this->Margin < 0.0)
+  {
+    this->Margin = this->SetSharedMeasures(&measures);
+  }
   // A view that has data partitioned by ranks already leaves it where it is.
   const bool moves = level.Shared.IsOrdered() && !this->GetUseDataPartitions();
   vtkPolyData* mine = lines;
@@ -380,7 +385,7 @@ vtkPolyData* vtkLineSetsRepresentation::Share(
   {
     vtkNew<vtkMatrix4x4> matrix;
     this->Actor->GetMatrix(matrix);
-    mine = level.Shared.Distribute(lines, matrix, margin);
+    mine = level.Shared.Distribute(lines, matrix, this->Margin);
   }
   this->SetRegion(
     moves ? level.Shared.GetRegion().data() : vtkLineSetsDistribution::GetOpenBox().data());

@@ -133,6 +133,8 @@ private:
   /// When the mapper of the thin level got its settings.
   vtkTimeStamp ThinMapperTime;
   std::set<std::string> Said;
+  /// How far around its part of space a rank knows the lines; negative: nothing is shared.
+  double Margin = -1.0;
   /// Those of the mapper's clipping planes that are this representation's.
   std::vector<vtkSmartPointer<vtkPlane>> RegionPlanes;
 };
