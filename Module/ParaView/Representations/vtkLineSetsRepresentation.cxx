@@ -139,11 +139,20 @@ int vtkLineSetsRepresentation::ProcessViewRequest(
   if (!isDetail && request != vtkPVView::REQUEST_RENDER())
   {
     const int done = this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
-    if (done && request == vtkPVView::REQUEST_UPDATE() && !this->GetUseDataPartitions())
+    if (done && request == vtkPVView::REQUEST_UPDATE())
     {
-      // The view parts space by these lines, but they are handed on here, not by the view.
-      vtkPVRenderView::SetOrderedCompositingConfiguration(
-        inInfo, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+      if (!this->GetUseDataPartitions())
+      {
+        // The view parts space by these lines, but they are handed on here, not by the view.
+        vtkPVRenderView::SetOrderedCompositingConfiguration(
+          inInfo, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+      }
+      // Nothing can be parted where there is nothing, and the view would try to. The piece may be
+      // one of another time step that the view has kept.
+      if (!vtkLineSetsShare::HasExtent(vtkPVView::GetPiece(inInfo, this)))
+      {
+        outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 0);
+      }
     }
     return done;
   }
@@ -197,6 +206,11 @@ void vtkLineSetsRepresentation::UpdateLevelOfDetail(vtkInformation* viewInfo)
       : 0.5;
     vtkPVView::SetPieceLOD(viewInfo, this, this->Thinning->Thin(data, resolution));
   }
+  else
+  {
+    // The mapper draws less of the same, wherever a level of detail is delivered to.
+    vtkPVView::SetPieceLOD(viewInfo, this, data);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -206,6 +220,12 @@ void vtkLineSetsRepresentation::UpdateLines(vtkInformation* viewInfo)
   vtkDataObject* detail = !this->SuppressLOD && viewInfo->Has(vtkPVRenderView::USE_LOD())
     ? vtkPVView::GetDeliveredPieceLOD(viewInfo, this)
     : nullptr;
+  if (detail && !this->IsThinned() && !this->IsOutline(detail))
+  {
+    // The whole, where that is not delivered for itself.
+    data = data ? data : detail;
+    detail = nullptr;
+  }
   this->UpdateBlockAttributes(data, detail);
 
   vtkLineSetsBlocks::Request request;
@@ -247,7 +267,7 @@ void vtkLineSetsRepresentation::UpdateLines(vtkInformation* viewInfo)
 //------------------------------------------------------------------------------
 bool vtkLineSetsRepresentation::IsOutline(vtkDataObject* detail)
 {
-  return !this->IsThinned() || detail->GetFieldData()->HasArray(OutlineMark);
+  return detail->GetFieldData()->HasArray(OutlineMark);
 }
 
 //------------------------------------------------------------------------------

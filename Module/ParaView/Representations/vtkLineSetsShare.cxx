@@ -4,6 +4,7 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCommunicator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkMPIMoveData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPVRenderView.h"
@@ -32,6 +33,32 @@ void vtkLineSetsShare::SetView(vtkPVRenderView* view, bool isDetail)
   {
     this->Boxes = vtkLineSetsDistribution::OpenBoxes(manager->GetCuts());
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkLineSetsShare::HasExtent(vtkDataObject* data)
+{
+  double bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    composite->GetBounds(bounds);
+  }
+  // Both as largest values.
+  double mine[6];
+  for (int side = 0; side < 6; ++side)
+  {
+    mine[side] = bounds[0] <= bounds[1] ? (side % 2 == 0 ? -bounds[side] : bounds[side])
+                                        : std::numeric_limits<double>::lowest();
+  }
+  double all[6];
+  std::copy(mine, mine + 6, all);
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    controller->AllReduce(mine, all, 6, vtkCommunicator::MAX_OP);
+  }
+  return all[0] > std::numeric_limits<double>::lowest() &&
+    (-all[0] < all[1] || -all[2] < all[3] || -all[4] < all[5]);
 }
 
 //------------------------------------------------------------------------------

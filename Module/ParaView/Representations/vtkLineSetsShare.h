@@ -17,6 +17,7 @@
 #include "vtkLineSetsDistribution.h"
 #include "vtkLineVoxelizer.h"
 
+class vtkDataObject;
 class vtkMatrix4x4;
 class vtkMultiProcessController;
 class vtkPVRenderView;
@@ -29,6 +30,11 @@ public:
 
   /// Learn how a view draws now: the whole, or a level of detail.
   void SetView(vtkPVRenderView* view, bool isDetail);
+
+  /**
+   * Whether the data of all ranks together are more than a point; all must call it.
+   */
+  static bool HasExtent(vtkDataObject* data);
 
   /// Whether the lines are parted among several ranks that draw them.
   bool IsParted() const { return this->Controller != nullptr; }
