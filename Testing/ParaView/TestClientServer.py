@@ -110,6 +110,27 @@ def compare(path, alone):
             simple.Hide(source, view)
 
 
+def compare_moving(path, alone):
+    """Something large beside the lines is drawn by the server, its level of detail by the client."""
+    source, view = make_scene(path)
+    view.LODThreshold = 0.0
+    view.RemoteRenderThreshold = 1.0
+    view.UseInteractiveRenderingForScreenshots = 1
+    sphere = simple.Sphere(Center=[20.0, 0.0, 0.0], ThetaResolution=300, PhiResolution=300)
+    simple.Show(sphere, view)
+    for representation in REPRESENTATIONS:
+        show(source, view, representation)
+        simple.Render(view)
+        lines = abs(alone[representation][0] - alone[representation][0][0, 0]).max(axis=2) > 10.0
+        view.SMProxy.InteractiveRender()
+        picture = draw(view)
+        moving = abs(picture - picture[0, 0]).max(axis=2) > 10.0
+        print(representation, "moving", moving.sum(), "of", lines.sum(), flush=True)
+        testing.check(moving.sum() > 0.1 * lines.sum(), "%s: is there while moved" % representation)
+        simple.Hide(source, view)
+    simple.Delete(sphere)
+
+
 testing.load_plugin()
 messages = testing.Messages()
 path = testing.write_lines(testing.make_helices(20), "TestClientServer")
@@ -121,6 +142,7 @@ try:
     simple.LoadPlugin(os.environ["LINESETS_PLUGIN"], remote=True, ns=simple.__dict__)
     simple.LoadPlugin(os.environ["LINESETS_PLUGIN"], remote=False, ns=simple.__dict__)
     compare(path, alone)
+    compare_moving(path, alone)
     simple.Disconnect()
 finally:
     server.kill()
