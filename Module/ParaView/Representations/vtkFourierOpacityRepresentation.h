@@ -11,6 +11,8 @@
 #include "vtkIlluminatedLinesRepresentation.h"
 #include "vtkParaViewLineSetsModule.h" // For export macro
 
+class vtkFourierOpacityMapper;
+
 class VTKPARAVIEWLINESETS_EXPORT vtkFourierOpacityRepresentation
   : public vtkIlluminatedLinesRepresentation
 {
@@ -18,6 +20,8 @@ public:
   static vtkFourierOpacityRepresentation* New();
   vtkTypeMacro(vtkFourierOpacityRepresentation, vtkIlluminatedLinesRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void SetLineMapper(vtkPolyDataMapper* mapper) override;
 
   /**
    * Array of points or cells that tells how important each part is; of several components the
@@ -68,6 +72,7 @@ private:
   vtkFourierOpacityRepresentation(const vtkFourierOpacityRepresentation&) = delete;
   void operator=(const vtkFourierOpacityRepresentation&) = delete;
 
+  vtkFourierOpacityMapper* GetFourierOpacityMapper();
   void UpdateImportanceRange();
 };
 

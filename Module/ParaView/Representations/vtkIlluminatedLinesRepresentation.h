@@ -11,6 +11,8 @@
 #include "vtkLineSetsRepresentation.h"
 #include "vtkParaViewLineSetsModule.h" // For export macro
 
+class vtkIlluminatedLineMapper;
+
 class VTKPARAVIEWLINESETS_EXPORT vtkIlluminatedLinesRepresentation
   : public vtkLineSetsRepresentation
 {
@@ -18,6 +20,8 @@ public:
   static vtkIlluminatedLinesRepresentation* New();
   vtkTypeMacro(vtkIlluminatedLinesRepresentation, vtkLineSetsRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void SetLineMapper(vtkPolyDataMapper* mapper) override;
 
   /**
    * Point array of three components with the tangents of the lines, of any length and either sense.
@@ -48,6 +52,8 @@ protected:
 private:
   vtkIlluminatedLinesRepresentation(const vtkIlluminatedLinesRepresentation&) = delete;
   void operator=(const vtkIlluminatedLinesRepresentation&) = delete;
+
+  vtkIlluminatedLineMapper* GetIlluminatedLineMapper();
 };
 
 #endif

@@ -236,9 +236,9 @@ void vtkLineSetsRepresentation::UpdateLines(vtkInformation* viewInfo)
     vtkPolyData* lines = this->Whole->Blocks.Join(data, this->Whole->Attributes, request);
     SetInput(this->GetLineMapper(), this->Share(*this->Whole, lines, viewInfo));
     this->CheckLines(lines);
-    for (const std::string& warning : this->Whole->Blocks.GetWarnings())
+    for (const vtkLineSetsBlocks::Warning& warning : this->Whole->Blocks.GetWarnings())
     {
-      this->WarnOnce(warning);
+      this->WarnOnce(warning.Text, warning.Key);
     }
   }
   this->Actor->SetEnableLOD(detail ? 1 : 0);
@@ -351,9 +351,9 @@ void vtkLineSetsRepresentation::CheckCells(vtkPolyData* lines)
 }
 
 //------------------------------------------------------------------------------
-void vtkLineSetsRepresentation::WarnOnce(const std::string& warning)
+void vtkLineSetsRepresentation::WarnOnce(const std::string& warning, const std::string& key)
 {
-  if (this->Said.insert(warning).second)
+  if (this->Said.insert(key.empty() ? warning : key).second)
   {
     vtkWarningMacro(<< warning);
   }

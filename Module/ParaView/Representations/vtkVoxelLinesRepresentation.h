@@ -24,6 +24,8 @@ public:
   vtkTypeMacro(vtkVoxelLinesRepresentation, vtkLineSetsRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  void SetLineMapper(vtkPolyDataMapper* mapper) override;
+
   /**
    * Point array of the input with one radius per point, in units of the data. Default "None": all
    * tubes have the same radius.
@@ -55,7 +57,7 @@ private:
   Measures Measured;
   vtkWeakPointer<vtkPolyData> MeasuredLines;
   vtkMTimeType MeasuredLinesTime = 0;
-  vtkMTimeType MeasuredMapperTime = 0;
+  std::string MeasuredSettings;
 };
 
 #endif
