@@ -22,18 +22,6 @@ vtkFourierOpacityRepresentation::vtkFourierOpacityRepresentation()
 vtkFourierOpacityRepresentation::~vtkFourierOpacityRepresentation() = default;
 
 //------------------------------------------------------------------------------
-void vtkFourierOpacityRepresentation::SetLineMapper(vtkPolyDataMapper* mapper)
-{
-  if (mapper && !vtkFourierOpacityMapper::SafeDownCast(mapper))
-  {
-    vtkErrorMacro(
-      "The mapper is a " << mapper->GetClassName() << "; it must be a vtkFourierOpacityMapper.");
-    return;
-  }
-  this->Superclass::SetLineMapper(mapper);
-}
-
-//------------------------------------------------------------------------------
 vtkFourierOpacityMapper* vtkFourierOpacityRepresentation::GetFourierOpacityMapper()
 {
   return vtkFourierOpacityMapper::SafeDownCast(this->GetLineMapper());

@@ -21,8 +21,6 @@ public:
   vtkTypeMacro(vtkFourierOpacityRepresentation, vtkIlluminatedLinesRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  void SetLineMapper(vtkPolyDataMapper* mapper) override;
-
   /**
    * Array of points or cells that tells how important each part is; of several components the
    * length counts. A point of several cells is as important as the most important one.
@@ -57,6 +55,7 @@ protected:
   vtkFourierOpacityRepresentation();
   ~vtkFourierOpacityRepresentation() override;
 
+  const char* GetLineMapperType() override { return "vtkFourierOpacityMapper"; }
   std::vector<std::string> GetArraysInUse() override;
   void CheckLines(vtkPolyData* lines) override;
   /// Always: whatever is not important lets something through.

@@ -19,18 +19,6 @@ vtkIlluminatedLinesRepresentation::vtkIlluminatedLinesRepresentation()
 vtkIlluminatedLinesRepresentation::~vtkIlluminatedLinesRepresentation() = default;
 
 //------------------------------------------------------------------------------
-void vtkIlluminatedLinesRepresentation::SetLineMapper(vtkPolyDataMapper* mapper)
-{
-  if (mapper && !vtkIlluminatedLineMapper::SafeDownCast(mapper))
-  {
-    vtkErrorMacro(
-      "The mapper is a " << mapper->GetClassName() << "; it must be a vtkIlluminatedLineMapper.");
-    return;
-  }
-  this->Superclass::SetLineMapper(mapper);
-}
-
-//------------------------------------------------------------------------------
 vtkIlluminatedLineMapper* vtkIlluminatedLinesRepresentation::GetIlluminatedLineMapper()
 {
   return vtkIlluminatedLineMapper::SafeDownCast(this->GetLineMapper());

@@ -21,8 +21,6 @@ public:
   vtkTypeMacro(vtkIlluminatedLinesRepresentation, vtkLineSetsRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  void SetLineMapper(vtkPolyDataMapper* mapper) override;
-
   /**
    * Point array of three components with the tangents of the lines, of any length and either sense.
    * Default "None": tangents are computed.
@@ -45,6 +43,7 @@ protected:
   vtkIlluminatedLinesRepresentation();
   ~vtkIlluminatedLinesRepresentation() override;
 
+  const char* GetLineMapperType() override { return "vtkIlluminatedLineMapper"; }
   std::vector<std::string> GetArraysInUse() override;
   void CheckLines(vtkPolyData* lines) override;
   double SetSharedMeasures(const Measures* measures) override;

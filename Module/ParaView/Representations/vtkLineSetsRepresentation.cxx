@@ -87,6 +87,12 @@ void vtkLineSetsRepresentation::SetLineMapper(vtkPolyDataMapper* mapper)
   {
     return;
   }
+  if (!mapper->IsA(this->GetLineMapperType()))
+  {
+    vtkErrorMacro("The mapper is a " << mapper->GetClassName() << "; it must be a "
+                                     << this->GetLineMapperType() << ".");
+    return;
+  }
   // ParaView observes the progress of every algorithm that has a proxy, and its client processes
   // events upon progress: in the middle of a picture those would draw other parts of the window and
   // leave their OpenGL context current.

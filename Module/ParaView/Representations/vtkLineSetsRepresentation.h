@@ -69,6 +69,10 @@ protected:
 
   vtkPolyDataMapper* GetLineMapper();
 
+  /// Class of the mapper that is taken, or of one that derives from it. Also called in constructors
+  /// of subclasses.
+  virtual const char* GetLineMapperType() = 0;
+
   /// Name of an array as the mappers take it: empty where a list offers "None".
   static std::string GetArrayName(const char* name);
 

@@ -58,18 +58,6 @@ vtkVoxelLinesRepresentation::vtkVoxelLinesRepresentation()
 vtkVoxelLinesRepresentation::~vtkVoxelLinesRepresentation() = default;
 
 //------------------------------------------------------------------------------
-void vtkVoxelLinesRepresentation::SetLineMapper(vtkPolyDataMapper* mapper)
-{
-  if (mapper && !vtkVoxelLineMapper::SafeDownCast(mapper))
-  {
-    vtkErrorMacro(
-      "The mapper is a " << mapper->GetClassName() << "; it must be a vtkVoxelLineMapper.");
-    return;
-  }
-  this->Superclass::SetLineMapper(mapper);
-}
-
-//------------------------------------------------------------------------------
 vtkVoxelLineMapper* vtkVoxelLinesRepresentation::GetVoxelLineMapper()
 {
   return vtkVoxelLineMapper::SafeDownCast(this->GetLineMapper());

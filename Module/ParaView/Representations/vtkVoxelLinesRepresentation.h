@@ -24,8 +24,6 @@ public:
   vtkTypeMacro(vtkVoxelLinesRepresentation, vtkLineSetsRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  void SetLineMapper(vtkPolyDataMapper* mapper) override;
-
   /**
    * Point array of the input with one radius per point, in units of the data. Default "None": all
    * tubes have the same radius.
@@ -38,6 +36,7 @@ protected:
   vtkVoxelLinesRepresentation();
   ~vtkVoxelLinesRepresentation() override;
 
+  const char* GetLineMapperType() override { return "vtkVoxelLineMapper"; }
   bool IsThinned() override { return false; }
   std::vector<std::string> GetArraysInUse() override;
   /// Also where tubes are opaque, which let something through where they are thinner than a pixel,
