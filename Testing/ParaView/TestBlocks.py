@@ -123,7 +123,7 @@ for name in REPRESENTATIONS:
                   "%s: partial arrays are told once: %s" % (name, said))
 
     # Other blocks lack it now.
-    display.BlockSelectors = ["/Root/Block0", "/Root/Block2", "/Root/Block3"]
+    display.BlockSelectors = ["/Root/Block0", "/Root/Block2", "/Root/Block3/Block2"]
     find_drawn(view)
     said = messages.take()
     testing.check(not said, "%s: partial arrays are told once: %s" % (name, said))

@@ -17,7 +17,7 @@ BOUND = 5.0
 # Something that each tells of its last frame.
 IN_USE = {"Voxel Lines": ("RadiusInUse", "EngineInUse", "QualityInUse"),
           "Illuminated Lines": ("NumberOfDrawnSegments",),
-          "Fourier Opacity": ("NumberOfDrawnSegments", "OpacityMemory")}
+          "Fourier Opacity": ("OpacityMemory", "NumberOfAccumulatedOpacityPictures")}
 
 
 def start_server():
@@ -83,13 +83,8 @@ def select(source, view):
 
 def tell(display, representation):
     """What is told to be in use."""
-    values = {}
-    for name in IN_USE[representation]:
-        # Of the properties of several representations that have the same name, the one drawn.
-        proxy = display.SMProxy.GetSubProxy(representation.replace(" ", "") + "Representation")
-        proxy.UpdatePropertyInformation(proxy.GetProperty(name))
-        values[name] = proxy.GetProperty(name).GetElement(0)
-    return values
+    display.UpdatePropertyInformation()
+    return {name: display.GetProperty(name).GetData() for name in IN_USE[representation]}
 
 
 def draw_all(source, view):

@@ -199,7 +199,7 @@ for make in (simple.VoxelizeLines, simple.LineDensity):
 large = simple.LineDensity(Input=source, Resolution=4096)
 with Messages() as messages:
     output = fetch(large)
-testing.check(re.search(r"4096 x 4096 x \d+ points \(2\d\d GiB\), and 2\d\d GiB are needed.* where "
+testing.check(re.search(r"\d{4} x \d{4} x 4096 points \(2\d\d GiB\), and 2\d\d GiB are needed.* where "
                         r".*lower Resolution or a higher Level", messages.text, re.DOTALL) and
               messages.text.count("points (") == 1 and output.GetNumberOfPoints() == 0,
               "an image that is too large is told once: " + messages.text)
