@@ -122,6 +122,13 @@ for name in REPRESENTATIONS:
     testing.check(len(said) == 1 and '1 of 2 visible blocks have no array "Height"' in said[0],
                   "%s: partial arrays are told once: %s" % (name, said))
 
+    # Other blocks lack it now.
+    display.BlockSelectors = ["/Root/Block0", "/Root/Block2", "/Root/Block3/Block2"]
+    find_drawn(view)
+    said = messages.take()
+    testing.check(not said, "%s: partial arrays are told once: %s" % (name, said))
+    display.BlockSelectors = ["/Root/Block0", "/Root/Block2"]
+
     # By field data of whole blocks, as multiblock data sets are coloured when they are opened.
     simple.ColorBy(display, ("FIELD", "vtkBlockColors"))
     _, colors = find_drawn(view)

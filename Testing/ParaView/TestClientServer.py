@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Guards that a server draws as a client alone does: remote and local rendering, while the user
-interacts, and selection. Starts a pvserver on a free port and ends it in all cases."""
+interacts, selection, and what is told to be in use. Starts a pvserver on a free port and ends it in all cases."""
 import os
 import socket
 import subprocess
@@ -14,6 +14,10 @@ REPRESENTATIONS = ("Voxel Lines", "Illuminated Lines", "Fourier Opacity")
 SECONDS_TO_START = 60.0
 # By the samples, on lines; 40 would be another picture.
 BOUND = 5.0
+# Something that each tells of its last frame.
+IN_USE = {"Voxel Lines": ("RadiusInUse", "EngineInUse", "QualityInUse"),
+          "Illuminated Lines": ("NumberOfDrawnSegments",),
+          "Fourier Opacity": ("OpacityMemory", "NumberOfAccumulatedOpacityPictures")}
 
 
 def start_server():
@@ -22,18 +26,19 @@ def start_server():
         probe.bind(("localhost", 0))
         port = probe.getsockname()[1]
     os.makedirs(testing.OUTPUT, exist_ok=True)
-    log = open(os.path.join(testing.OUTPUT, "TestClientServer.log"), "w", encoding="utf-8")
-    process = subprocess.Popen([os.environ["LINESETS_PVSERVER"], "--server-port=%d" % port],
-                               stdout=log, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
+    log = os.path.join(testing.OUTPUT, "TestClientServer.log")
+    with open(log, "w", encoding="utf-8") as file:
+        process = subprocess.Popen([os.environ["LINESETS_PVSERVER"], "--server-port=%d" % port],
+                                   stdout=file, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
     # Not by connecting, which the server would take for its client.
     end = time.monotonic() + SECONDS_TO_START
     while time.monotonic() < end and process.poll() is None:
-        with open(log.name, encoding="utf-8") as file:
+        with open(log, encoding="utf-8") as file:
             if "Accepting connection" in file.read():
-                return process, port, log.name
+                return process, port, log
         time.sleep(0.1)
     process.kill()
-    testing.check(False, "pvserver does not start, see " + log.name)
+    testing.check(False, "pvserver does not start, see " + log)
 
 
 def make_scene(path):
@@ -76,11 +81,18 @@ def select(source, view):
     return ids
 
 
+def tell(display, representation):
+    """What is told to be in use."""
+    display.UpdatePropertyInformation()
+    return {name: display.GetProperty(name).GetData() for name in IN_USE[representation]}
+
+
 def draw_all(source, view):
     pictures = {}
     for representation in REPRESENTATIONS:
-        show(source, view, representation)
-        pictures[representation] = draw(view), select(source, view)
+        display = show(source, view, representation)
+        picture = draw(view)
+        pictures[representation] = picture, tell(display, representation), select(source, view)
         simple.Hide(source, view)
     return pictures
 
@@ -93,14 +105,19 @@ def compare(path, alone):
         view.RemoteRenderThreshold = threshold
         for representation in REPRESENTATIONS:
             what = "%s, %s" % (representation, mode)
-            show(source, view, representation)
-            expected, ids = alone[representation]
+            display = show(source, view, representation)
+            expected, in_use, ids = alone[representation]
             picture = draw(view)
             is_remote = view.SMProxy.GetClientSideObject().GetUseDistributedRenderingForRender()
             testing.check(bool(is_remote) == (mode == "remote"), "%s: where it is drawn" % what)
             difference = testing.rmse(picture, expected)
             print(what, difference, flush=True)
             testing.check(difference <= BOUND, "%s: differs by %.2f" % (what, difference))
+            told = tell(display, representation)
+            testing.check(all(told.values()) and all(in_use.values()) and all(
+                # Pictures have other sizes.
+                told[key] == in_use[key] for key in told if key != "OpacityMemory"),
+                          "%s: %s in use, not %s" % (what, told, in_use))
             for _ in range(2):
                 view.SMProxy.InteractiveRender()
             difference = testing.rmse(draw(view), expected)

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Guards the filters: lengths and integrals along lines are kept, held against sums over the input
 in numpy; blocks are told apart; and bad input is answered with a message and an empty output."""
+import re
+
 import linesets_testing as testing
 import numpy
 from message_testing import Messages
@@ -193,6 +195,18 @@ for make in (simple.VoxelizeLines, simple.LineDensity):
         output = fetch(bad)
     testing.check("Nonesuch" in messages.text and output.GetNumberOfPoints() > 0,
                   "an array that is missing is told, and costs nothing else: " + messages.text)
+# More memory than computers have that run tests.
+large = simple.LineDensity(Input=source, Resolution=4096)
+with Messages() as messages:
+    output = fetch(large)
+testing.check(re.search(r"\d{4} x \d{4} x 4096 points \(2\d\d GiB\), and 2\d\d GiB are needed.* where "
+                        r".*lower Resolution or a higher Level", messages.text, re.DOTALL) and
+              messages.text.count("points (") == 1 and output.GetNumberOfPoints() == 0,
+              "an image that is too large is told once: " + messages.text)
+large.Resolution = 32
+with Messages() as messages:
+    testing.check(fetch(large).GetNumberOfPoints() > 0, "a lower resolution brings the image back")
+check_silent(messages, "a lower resolution")
 with Messages() as messages:
     output = fetch(simple.OpacitySegments(Input=nothing))
 check_silent(messages, "no segments")

@@ -108,6 +108,18 @@ for level in (0, 1):
     points = add_up(a.GetNumberOfPoints())
     testing.check(ranks == 1 or a.GetNumberOfPoints() < 0.8 * points, "the image is distributed")
 
+# More values than are reduced at a time.
+density = simple.LineDensity(Input=shared, Resolution=340, FaceBins="Exact", InteriorTolerance=0)
+image = get_output(density)
+ends = density.GetClientSideObject().GetOutputInformation(0).Get(WHOLE_EXTENT)
+testing.check((ends[1] + 1) * (ends[3] + 1) * (ends[5] + 1) > 2 ** 24, "the image has two parts")
+extent, (nx, ny, nz) = image.GetExtent(), image.GetDimensions()
+grid = vtk_to_numpy(image.GetPointData().GetArray("Density")).reshape(nz, ny, nx)
+total = add_up(numpy.sum(grid[:nz - (extent[5] < ends[5]), :ny - (extent[3] < ends[3]),
+                              :nx - (extent[1] < ends[1])], dtype=float)) * image.GetSpacing()[0]
+testing.check(abs(total - length) < 1e-4 * length,
+              "a large image sums up to %g, the lines to %g" % (total, length))
+
 lines = [get_output(simple.VoxelizeLines(Input=reader, Resolution=48, FaceBins="Exact",
                                          InteriorTolerance=0)) for reader in (whole, shared)]
 for data in lines:

@@ -30,7 +30,7 @@ def list_properties():
     for path in sorted(glob.glob(os.path.join(FOLDER, "*.xml"))):
         for group in ElementTree.parse(path).iter("ProxyGroup"):
             if group.get("name") == "line_sets":
-                for proxy in group.iter("Proxy"):
+                for proxy in group:
                     for element in proxy:
                         if element.tag.endswith("VectorProperty"):
                             yield proxy.get("class"), element

@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """
 Guards that several ranks draw what one draws. Lines that lie between each other are parted among the
-ranks, so that those of all ranks are before and behind each other everywhere.
+ranks, so that those of all ranks are before and behind each other everywhere. Also that a level of
+detail has no more points with more ranks, and that another colour array is measured anew.
 """
 import linesets_ranks as ranks
 import linesets_testing as testing
 from paraview import simple
+from vtkmodules.vtkCommonCore import vtkDoubleArray
 
 testing.load_plugin()
 # All layers, whose number the parts of space change.
@@ -56,3 +58,37 @@ waves.Scale = [0.8, 0.6, 1.0]
 waves.Orientation = [20.0, 0.0, 40.0]
 waves.Translation = [0.1, -0.2, 0.0]
 check_kinds(waves_view, waves, "Waves")
+
+# Measures that are kept are those of the array in use: as in a view that never had another one.
+pictures = []
+for arrays in (("CELLS", "Helix", 60.0), ("POINTS", "Height", 2.0)), (("POINTS", "Height", 2.0),):
+    view, display = show(testing.make_helices(60, 300), "again", *arrays[0])
+    view.CameraFocalPoint = [0.0, 0.0, 1.0]
+    display.Representation = "Voxel Lines"
+    for array in arrays:
+        testing.color_by(display, array[0], array[1], 0.0, array[2])
+        simple.Render(view)
+    pictures.append(ranks.take_picture(view, "TestRanksAgain"))
+if ranks.RANK == 0:
+    difference = testing.rmse(*pictures)
+    testing.check(difference == 0.0, "another colour array: differs by %.2f" % difference)
+
+# The level of detail, of 10 000 points at this resolution.
+lines = simple.XMLPartitionedPolydataReader(
+    FileName=[ranks.write_pieces(testing.make_helices(100, 600), "details")])
+view = testing.make_view()
+view.LODThreshold = 0.0
+view.LODResolution = 0.0
+display = simple.Show(lines, view)
+display.Representation = "Illuminated Lines"
+simple.ResetCamera(view)
+simple.Render(view)
+view.SMProxy.InteractiveRender()
+actor = display.GetClientSideObject().GetActiveRepresentation().GetActor()
+testing.check(actor.GetEnableLOD(), "a level of detail is drawn")
+mine, total = vtkDoubleArray(), vtkDoubleArray()
+mine.InsertNextValue(actor.GetLODMapper().GetInput().GetNumberOfPoints())
+ranks.CONTROLLER.AllReduce(mine, total, 2)  # SUM_OP
+# Lines are kept whole; a rank may have one more than its part.
+testing.check(5000 < total.GetValue(0) <= 10000 + 600 * ranks.RANKS,
+              "%d points while moving" % total.GetValue(0))

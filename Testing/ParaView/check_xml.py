@@ -24,7 +24,7 @@ import xml.etree.ElementTree as ElementTree
 HEADER_FOLDERS = ("Filters", "Rendering", "Module/ParaView/Filters",
                   "Module/ParaView/Representations")
 XML_FOLDERS = ("Module/ParaView/Filters", "Module/ParaView/Representations")
-PROXIES = ("Proxy", "RepresentationProxy", "SourceProxy")
+PROXIES = ("Proxy", "LineMapperProxy", "RepresentationProxy", "SourceProxy")
 
 # Settings that no panel has, and why.
 LEFT_OUT = {

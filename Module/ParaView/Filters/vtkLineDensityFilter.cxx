@@ -22,7 +22,11 @@
 #include "vtkVoxelLineDensity.h"
 #include "vtkVoxelLineModel.h"
 
+#include <vtksys/SystemInformation.hxx>
+
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 vtkStandardNewMacro(vtkLineDensityFilter);
 
@@ -31,6 +35,10 @@ namespace
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 constexpr int NoExtent[6] = { 0, -1, 0, -1, 0, -1 };
+constexpr int BrickSize = vtkVoxelLineModel::BrickSize;
+/// Values that are reduced at a time: MPI counts in 31 bits, and needs memory of its own.
+constexpr vtkIdType ValuesPerReduction = vtkIdType(1) << 24;
+constexpr double BytesPerGiB = 1024.0 * 1024.0 * 1024.0;
 
 //------------------------------------------------------------------------------
 /// What was asked for, or all where nothing was.
@@ -81,6 +89,73 @@ void CropToPiece(vtkImageData* image, vtkInformation* outInfo)
     image->Initialize();
   }
 }
+
+//------------------------------------------------------------------------------
+/// Bytes in words.
+std::string DescribeBytes(double bytes)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << bytes / BytesPerGiB << " GiB";
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+/// The sum of all ranks, in place of what this one has.
+void SumOverRanks(vtkMultiProcessController* controller, vtkFloatArray* values)
+{
+  vtkNew<vtkFloatArray> sums;
+  sums->SetNumberOfValues(std::min(values->GetNumberOfValues(), ValuesPerReduction));
+  for (vtkIdType first = 0; first < values->GetNumberOfValues(); first += ValuesPerReduction)
+  {
+    const vtkIdType count = std::min(values->GetNumberOfValues() - first, ValuesPerReduction);
+    float* mine = values->GetPointer(first);
+    controller->AllReduce(mine, sums->GetPointer(0), count, vtkCommunicator::SUM_OP);
+    std::copy_n(sums->GetPointer(0), count, mine);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Numbers of values that are stored on the way to the densities of a level of a grid.
+struct Sizes
+{
+  /// Points of the image along each axis.
+  double Dimensions[3];
+  double Image = 1.0;
+  double All = 0.0;
+
+  /// The grid has as many voxels along the longest side of the bounds as the resolution tells, and
+  /// about as many as they need along the others.
+  Sizes(const double bounds[6], int resolution, int level)
+  {
+    double sides[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      sides[axis] = bounds[2 * axis + 1] - bounds[2 * axis];
+    }
+    const double longest = *std::max_element(sides, sides + 3);
+    const auto sizeOf = [&](int axis, double edge)
+    {
+      const double part = longest > 0.0 ? sides[axis] / longest : 0.0;
+      const double voxels = std::max(1.0, std::ceil(part * resolution - 1e-9));
+      return std::ceil(voxels / edge);
+    };
+    const auto count = [&](double edge)
+    { return sizeOf(0, edge) * sizeOf(1, edge) * sizeOf(2, edge); };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Dimensions[axis] = sizeOf(axis, std::ldexp(1.0, level));
+      this->Image *= this->Dimensions[axis];
+    }
+    // The grid of bricks, and the densities of the levels from 1 on, which are computed together.
+    this->All = count(BrickSize);
+    for (int edge = 2; edge < 2 * resolution; edge *= 2)
+    {
+      this->All += count(edge);
+    }
+    this->All += level == 0 ? this->Image : 0.0;
+  }
+};
 }
 
 //------------------------------------------------------------------------------
@@ -94,6 +169,42 @@ int vtkLineDensityFilter::FillOutputPortInformation(int vtkNotUsed(port), vtkInf
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkImageData");
   return 1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkLineDensityFilter::FindSizeError(const double bounds[6])
+{
+  const Sizes sizes(bounds, this->Resolution, this->Level);
+  const double bytes = sizes.All * sizeof(float);
+  vtksys::SystemInformation system;
+  // In KiB; not known on every system.
+  double memory = 1024.0 * static_cast<double>(system.GetHostMemoryTotal());
+  if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
+  {
+    // All ranks go on, or none.
+    const double mine = memory;
+    this->Controller->AllReduce(&mine, &memory, 1, vtkCommunicator::MIN_OP);
+  }
+  const bool isCountable = sizes.All < static_cast<double>(VTK_ID_MAX);
+  if (isCountable && (memory <= 0.0 || bytes <= memory))
+  {
+    return std::string();
+  }
+  std::ostringstream text;
+  text.precision(12);
+  text << "The image would have " << sizes.Dimensions[0] << " x " << sizes.Dimensions[1] << " x "
+       << sizes.Dimensions[2] << " points (" << DescribeBytes(sizes.Image * sizeof(float))
+       << "), and " << DescribeBytes(bytes) << " are needed to compute it, ";
+  if (isCountable)
+  {
+    text << "where " << DescribeBytes(memory) << " of memory are in the machine.";
+  }
+  else
+  {
+    text << "more values than vtkIdType can count.";
+  }
+  text << " Choose a lower Resolution" << (this->Level == 0 ? " or a higher Level." : ".");
+  return text.str();
 }
 
 //------------------------------------------------------------------------------
@@ -148,7 +259,9 @@ int vtkLineDensityFilter::RequestInformation(vtkInformation* vtkNotUsed(request)
   int numberOfOthers = 0;
   double bounds[6];
   vtkSmartPointer<vtkImageData> image;
-  if (this->FindBounds(FindBlocks(vtkDataObject::GetData(inputVector[0]), numberOfOthers), bounds))
+  if (this->FindBounds(
+        FindBlocks(vtkDataObject::GetData(inputVector[0]), numberOfOthers), bounds) &&
+    this->FindSizeError(bounds).empty()) // which the update tells
   {
     image = this->PlaceImage(bounds);
   }
@@ -231,6 +344,13 @@ int vtkLineDensityFilter::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
 
+  const std::string error = this->FindSizeError(bounds);
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    this->SetErrorCode(vtkErrorCode::UserError);
+    return 1;
+  }
   vtkSmartPointer<vtkImageData> image = this->PlaceImage(bounds);
   int isDone = blocks.empty() || this->SumLines(blocks, bounds, image) ? 1 : 0;
   const bool isParallel = this->Controller && this->Controller->GetNumberOfProcesses() > 1;
@@ -257,11 +377,7 @@ int vtkLineDensityFilter::RequestData(vtkInformation* vtkNotUsed(request),
   }
   if (isParallel)
   {
-    auto mine = sums;
-    sums = vtkSmartPointer<vtkFloatArray>::New();
-    sums->SetNumberOfValues(size);
-    this->Controller->AllReduce(
-      mine->GetPointer(0), sums->GetPointer(0), size, vtkCommunicator::SUM_OP);
+    SumOverRanks(this->Controller, sums);
   }
   sums->SetName("Density");
   image->GetPointData()->SetScalars(sums);

@@ -23,6 +23,11 @@
  * do: neighbouring pieces share the points in between. Each rank needs memory for the whole image
  * meanwhile.
  *
+ * <b>Size.</b> The number of values grows with the cube of Resolution: for a cube of lines, 1024
+ * needs 5 GiB at level 0 and 0.6 GiB at any other one. Where that is more than the memory of the
+ * machine (of the smallest one of all ranks; several ranks on a machine count as one), an error
+ * tells it before anything is allocated, and the output is empty.
+ *
  * The size of the image is known only when the lines are. Therefore the input is updated as soon as
  * the output's information is asked for, and where the lines change over time, the whole extent is
  * that of the last update.
@@ -35,6 +40,8 @@
 
 #include "vtkLineModelFilter.h"
 #include "vtkParaViewFiltersLineSetsModule.h" // For export macro
+
+#include <string> // For std::string
 
 class vtkImageData;
 
@@ -68,6 +75,8 @@ protected:
   double Opacity = 1.0;
 
 private:
+  /// What is wrong with the size of the image, the same on all ranks; empty where nothing is.
+  std::string FindSizeError(const double bounds[6]);
   /// An image without values that has the place of the level of a grid; empty without such a level.
   vtkSmartPointer<vtkImageData> PlaceImage(const double bounds[6]);
   /// The densities of the blocks of this rank. Returns false where something went wrong.

@@ -22,19 +22,23 @@ vtkFourierOpacityRepresentation::vtkFourierOpacityRepresentation()
 vtkFourierOpacityRepresentation::~vtkFourierOpacityRepresentation() = default;
 
 //------------------------------------------------------------------------------
+vtkFourierOpacityMapper* vtkFourierOpacityRepresentation::GetFourierOpacityMapper()
+{
+  return vtkFourierOpacityMapper::SafeDownCast(this->GetLineMapper());
+}
+
+//------------------------------------------------------------------------------
 void vtkFourierOpacityRepresentation::SetImportanceArray(int vtkNotUsed(index),
   int vtkNotUsed(port), int vtkNotUsed(connection), int association, const char* name)
 {
-  if (auto* mapper = vtkFourierOpacityMapper::SafeDownCast(this->GetLineMapper()))
-  {
-    mapper->SetImportanceArrayName(GetArrayName(name));
-    // Without a name ParaView may leave the association open.
-    const bool isChosen = association == vtkDataObject::FIELD_ASSOCIATION_POINTS ||
-      association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
-    mapper->SetImportanceArrayAssociation(isChosen && !mapper->GetImportanceArrayName().empty()
-        ? association
-        : vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS);
-  }
+  vtkFourierOpacityMapper* mapper = this->GetFourierOpacityMapper();
+  mapper->SetImportanceArrayName(GetArrayName(name));
+  // Without a name ParaView may leave the association open.
+  const bool isChosen = association == vtkDataObject::FIELD_ASSOCIATION_POINTS ||
+    association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  mapper->SetImportanceArrayAssociation(isChosen && !mapper->GetImportanceArrayName().empty()
+      ? association
+      : vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS);
 }
 
 //------------------------------------------------------------------------------
@@ -55,11 +59,7 @@ void vtkFourierOpacityRepresentation::SetImportanceRange(double low, double high
 //------------------------------------------------------------------------------
 void vtkFourierOpacityRepresentation::UpdateImportanceRange()
 {
-  auto* mapper = vtkFourierOpacityMapper::SafeDownCast(this->GetLineMapper());
-  if (!mapper)
-  {
-    return;
-  }
+  vtkFourierOpacityMapper* mapper = this->GetFourierOpacityMapper();
   const double low = this->ImportanceRange[0];
   const double high = this->ImportanceRange[1];
   if (this->UseImportanceRange && low > high)
@@ -82,11 +82,7 @@ void vtkFourierOpacityRepresentation::UpdateImportanceRange()
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkFourierOpacityRepresentation::GetArraysInUse()
 {
-  auto* mapper = vtkFourierOpacityMapper::SafeDownCast(this->GetLineMapper());
-  if (!mapper)
-  {
-    return {};
-  }
+  vtkFourierOpacityMapper* mapper = this->GetFourierOpacityMapper();
   return { mapper->GetImportanceArrayName(), mapper->GetTangentArrayName(),
     mapper->GetSpecularPowerArrayName() };
 }
@@ -106,7 +102,7 @@ double vtkFourierOpacityRepresentation::SetSharedMeasures(const Measures* vtkNot
 //------------------------------------------------------------------------------
 void vtkFourierOpacityRepresentation::SetRegion(const double region[6])
 {
-  vtkFourierOpacityMapper::SafeDownCast(this->GetLineMapper())->SetRegion(region);
+  this->GetFourierOpacityMapper()->SetRegion(region);
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,8 @@
 #include "vtkIlluminatedLinesRepresentation.h"
 #include "vtkParaViewLineSetsModule.h" // For export macro
 
+class vtkFourierOpacityMapper;
+
 class VTKPARAVIEWLINESETS_EXPORT vtkFourierOpacityRepresentation
   : public vtkIlluminatedLinesRepresentation
 {
@@ -53,6 +55,7 @@ protected:
   vtkFourierOpacityRepresentation();
   ~vtkFourierOpacityRepresentation() override;
 
+  const char* GetLineMapperType() override { return "vtkFourierOpacityMapper"; }
   std::vector<std::string> GetArraysInUse() override;
   void CheckLines(vtkPolyData* lines) override;
   /// Always: whatever is not important lets something through.
@@ -68,6 +71,7 @@ private:
   vtkFourierOpacityRepresentation(const vtkFourierOpacityRepresentation&) = delete;
   void operator=(const vtkFourierOpacityRepresentation&) = delete;
 
+  vtkFourierOpacityMapper* GetFourierOpacityMapper();
   void UpdateImportanceRange();
 };
 

@@ -19,31 +19,27 @@ vtkIlluminatedLinesRepresentation::vtkIlluminatedLinesRepresentation()
 vtkIlluminatedLinesRepresentation::~vtkIlluminatedLinesRepresentation() = default;
 
 //------------------------------------------------------------------------------
+vtkIlluminatedLineMapper* vtkIlluminatedLinesRepresentation::GetIlluminatedLineMapper()
+{
+  return vtkIlluminatedLineMapper::SafeDownCast(this->GetLineMapper());
+}
+
+//------------------------------------------------------------------------------
 void vtkIlluminatedLinesRepresentation::SetTangentArrayName(const char* name)
 {
-  if (auto* mapper = vtkIlluminatedLineMapper::SafeDownCast(this->GetLineMapper()))
-  {
-    mapper->SetTangentArrayName(GetArrayName(name));
-  }
+  this->GetIlluminatedLineMapper()->SetTangentArrayName(GetArrayName(name));
 }
 
 //------------------------------------------------------------------------------
 void vtkIlluminatedLinesRepresentation::SetSpecularPowerArrayName(const char* name)
 {
-  if (auto* mapper = vtkIlluminatedLineMapper::SafeDownCast(this->GetLineMapper()))
-  {
-    mapper->SetSpecularPowerArrayName(GetArrayName(name));
-  }
+  this->GetIlluminatedLineMapper()->SetSpecularPowerArrayName(GetArrayName(name));
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkIlluminatedLinesRepresentation::GetArraysInUse()
 {
-  auto* mapper = vtkIlluminatedLineMapper::SafeDownCast(this->GetLineMapper());
-  if (!mapper)
-  {
-    return {};
-  }
+  vtkIlluminatedLineMapper* mapper = this->GetIlluminatedLineMapper();
   return { mapper->GetTangentArrayName(), mapper->GetSpecularPowerArrayName() };
 }
 
@@ -57,7 +53,7 @@ void vtkIlluminatedLinesRepresentation::CheckLines(vtkPolyData* lines)
 //------------------------------------------------------------------------------
 double vtkIlluminatedLinesRepresentation::SetSharedMeasures(const Measures* measures)
 {
-  auto* mapper = vtkIlluminatedLineMapper::SafeDownCast(this->GetLineMapper());
+  vtkIlluminatedLineMapper* mapper = this->GetIlluminatedLineMapper();
   const bool hasBounds = measures && measures->Bounds[0] <= measures->Bounds[1];
   mapper->SetUseCustomBounds(hasBounds);
   if (hasBounds)

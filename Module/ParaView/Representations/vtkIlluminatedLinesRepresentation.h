@@ -11,6 +11,8 @@
 #include "vtkLineSetsRepresentation.h"
 #include "vtkParaViewLineSetsModule.h" // For export macro
 
+class vtkIlluminatedLineMapper;
+
 class VTKPARAVIEWLINESETS_EXPORT vtkIlluminatedLinesRepresentation
   : public vtkLineSetsRepresentation
 {
@@ -41,6 +43,7 @@ protected:
   vtkIlluminatedLinesRepresentation();
   ~vtkIlluminatedLinesRepresentation() override;
 
+  const char* GetLineMapperType() override { return "vtkIlluminatedLineMapper"; }
   std::vector<std::string> GetArraysInUse() override;
   void CheckLines(vtkPolyData* lines) override;
   double SetSharedMeasures(const Measures* measures) override;
@@ -48,6 +51,8 @@ protected:
 private:
   vtkIlluminatedLinesRepresentation(const vtkIlluminatedLinesRepresentation&) = delete;
   void operator=(const vtkIlluminatedLinesRepresentation&) = delete;
+
+  vtkIlluminatedLineMapper* GetIlluminatedLineMapper();
 };
 
 #endif

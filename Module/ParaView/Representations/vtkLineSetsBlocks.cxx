@@ -234,10 +234,11 @@ vtkPolyData* vtkLineSetsBlocks::Join(
   this->Warnings.clear();
   for (const Spread& spread : partial)
   {
-    changes.push_back(std::to_string(spread.Association) + spread.Name);
+    const std::string key = std::to_string(spread.Association) + spread.Name;
+    changes.push_back(key);
     if (spread.Missing > 0)
     {
-      this->Warnings.push_back(Describe(spread, finder.Found.size()));
+      this->Warnings.push_back({ key, Describe(spread, finder.Found.size()) });
     }
   }
 

@@ -49,8 +49,15 @@ public:
   vtkPolyData* Join(
     vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, const Request& request);
 
-  /// What is missing in the blocks joined last, a sentence for each array in use.
-  const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
+  /// What is missing in the blocks joined last. The key is that of the array, whatever the blocks.
+  struct Warning
+  {
+    std::string Key;
+    std::string Text;
+  };
+
+  /// One for each array in use that some blocks lack.
+  const std::vector<Warning>& GetWarnings() const { return this->Warnings; }
 
 private:
   using Parts = std::vector<vtkSmartPointer<vtkPolyData>>;
@@ -59,7 +66,7 @@ private:
   Parts Sources;
   std::vector<unsigned int> Indices;
   std::vector<std::string> Changes;
-  std::vector<std::string> Warnings;
+  std::vector<Warning> Warnings;
   vtkTimeStamp JoinTime;
 };
 

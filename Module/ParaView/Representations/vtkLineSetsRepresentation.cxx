@@ -87,6 +87,12 @@ void vtkLineSetsRepresentation::SetLineMapper(vtkPolyDataMapper* mapper)
   {
     return;
   }
+  if (!mapper->IsA(this->GetLineMapperType()))
+  {
+    vtkErrorMacro("The mapper is a " << mapper->GetClassName() << "; it must be a "
+                                     << this->GetLineMapperType() << ".");
+    return;
+  }
   // ParaView observes the progress of every algorithm that has a proxy, and its client processes
   // events upon progress: in the middle of a picture those would draw other parts of the window and
   // leave their OpenGL context current.
@@ -256,9 +262,9 @@ void vtkLineSetsRepresentation::UpdateLines(vtkInformation* viewInfo)
     vtkPolyData* lines = this->Whole->Blocks.Join(data, this->Whole->Attributes, request);
     SetInput(this->GetLineMapper(), this->Share(*this->Whole, lines, viewInfo));
     this->CheckLines(lines);
-    for (const std::string& warning : this->Whole->Blocks.GetWarnings())
+    for (const vtkLineSetsBlocks::Warning& warning : this->Whole->Blocks.GetWarnings())
     {
-      this->WarnOnce(warning);
+      this->WarnOnce(warning.Text, warning.Key);
     }
   }
   this->Actor->SetEnableLOD(detail ? 1 : 0);
@@ -371,9 +377,9 @@ void vtkLineSetsRepresentation::CheckCells(vtkPolyData* lines)
 }
 
 //------------------------------------------------------------------------------
-void vtkLineSetsRepresentation::WarnOnce(const std::string& warning)
+void vtkLineSetsRepresentation::WarnOnce(const std::string& warning, const std::string& key)
 {
-  if (this->Said.insert(warning).second)
+  if (this->Said.insert(key.empty() ? warning : key).second)
   {
     vtkWarningMacro(<< warning);
   }

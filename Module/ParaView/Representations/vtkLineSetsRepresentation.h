@@ -55,7 +55,8 @@ public:
 
   /**
    * The mapper that draws, whose settings are those of the representation. The proxies make it and
-   * hand it over before they set anything else. Each subclass begins with one of its own kind.
+   * hand it over before they set anything else. Each subclass begins with one of its own kind, and
+   * takes no other: an error tells it.
    */
   virtual void SetLineMapper(vtkPolyDataMapper* mapper);
 
@@ -67,6 +68,10 @@ protected:
   ~vtkLineSetsRepresentation() override;
 
   vtkPolyDataMapper* GetLineMapper();
+
+  /// Class of the mapper that is taken, or of one that derives from it. Also called in constructors
+  /// of subclasses.
+  virtual const char* GetLineMapperType() = 0;
 
   /// Name of an array as the mappers take it: empty where a list offers "None".
   static std::string GetArrayName(const char* name);
@@ -120,7 +125,8 @@ private:
   /// The mapper that draws the level of detail, with the settings of the other one.
   vtkPolyDataMapper* UpdateLevelOfDetailMapper(vtkDataObject* detail);
   void UpdateBlockAttributes(vtkDataObject* data, vtkDataObject* detail);
-  void WarnOnce(const std::string& warning);
+  /// Says a warning where none of the same key has been said; its text is the key by default.
+  void WarnOnce(const std::string& warning, const std::string& key = std::string());
 
   /// The lines of one level of detail and what ParaView sets for their blocks.
   struct Level;

@@ -7,6 +7,7 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkIdList.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -142,7 +143,9 @@ vtkIdType GetStep(vtkDataObject* data, double resolution)
   double count = 0.0;
   VisitLeaves(data, [&](vtkPolyData* part) { count += part->GetNumberOfPoints(); });
   const double divisions = 10.0 + 150.0 * std::min(std::max(resolution, 0.0), 1.0);
-  const double most = 100.0 * divisions * divisions;
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const int ranks = controller ? controller->GetNumberOfProcesses() : 1;
+  const double most = 100.0 * divisions * divisions / ranks;
   return std::max<vtkIdType>(2, static_cast<vtkIdType>(std::ceil(count / most)));
 }
 }

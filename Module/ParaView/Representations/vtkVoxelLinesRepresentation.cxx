@@ -6,20 +6,44 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkScalarsToColors.h"
 #include "vtkVoxelLineMapper.h"
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
+#include <utility>
 
 vtkStandardNewMacro(vtkVoxelLinesRepresentation);
 
 namespace
 {
+//------------------------------------------------------------------------------
 bool HasGlobalIllumination(vtkVoxelLineMapper* mapper)
 {
   vtkLineGlobalIllumination* global = mapper->GetGlobalIllumination();
   return global->GetShadows() != vtkLineGlobalIllumination::NoShadows ||
     global->GetOcclusion() != vtkLineGlobalIllumination::NoOcclusion;
+}
+
+//------------------------------------------------------------------------------
+/// Those of the settings that what is measured depends on: the arrays of radii and colours.
+std::string DescribeMeasured(vtkVoxelLineMapper* mapper)
+{
+  std::ostringstream text;
+  text << mapper->GetRadiusArrayName() << '\n' << mapper->GetScalarVisibility();
+  if (mapper->GetScalarVisibility())
+  {
+    const char* name = mapper->GetArrayName();
+    vtkScalarsToColors* table = mapper->GetLookupTable();
+    text << '\n'
+         << (name ? name : "") << '\n'
+         << mapper->GetScalarMode() << ' ' << mapper->GetArrayAccessMode() << ' '
+         << mapper->GetArrayId() << ' ' << mapper->GetArrayComponent() << ' '
+         << mapper->GetColorMode() << ' ' << table->GetVectorMode() << ' '
+         << table->GetVectorComponent() << ' ' << table->GetVectorSize();
+  }
+  return text.str();
 }
 }
 
@@ -34,29 +58,21 @@ vtkVoxelLinesRepresentation::vtkVoxelLinesRepresentation()
 vtkVoxelLinesRepresentation::~vtkVoxelLinesRepresentation() = default;
 
 //------------------------------------------------------------------------------
+vtkVoxelLineMapper* vtkVoxelLinesRepresentation::GetVoxelLineMapper()
+{
+  return vtkVoxelLineMapper::SafeDownCast(this->GetLineMapper());
+}
+
+//------------------------------------------------------------------------------
 void vtkVoxelLinesRepresentation::SetRadiusArrayName(const char* name)
 {
-  if (auto* mapper = vtkVoxelLineMapper::SafeDownCast(this->GetLineMapper()))
-  {
-    mapper->SetRadiusArrayName(GetArrayName(name));
-  }
+  this->GetVoxelLineMapper()->SetRadiusArrayName(GetArrayName(name));
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkVoxelLinesRepresentation::GetArraysInUse()
 {
-  auto* mapper = vtkVoxelLineMapper::SafeDownCast(this->GetLineMapper());
-  if (!mapper)
-  {
-    return {};
-  }
-  return { mapper->GetRadiusArrayName() };
-}
-
-//------------------------------------------------------------------------------
-vtkVoxelLineMapper* vtkVoxelLinesRepresentation::GetVoxelLineMapper()
-{
-  return vtkVoxelLineMapper::SafeDownCast(this->GetLineMapper());
+  return { this->GetVoxelLineMapper()->GetRadiusArrayName() };
 }
 
 //------------------------------------------------------------------------------
@@ -71,12 +87,14 @@ bool vtkVoxelLinesRepresentation::NeedsOrderedCompositing()
 vtkVoxelLinesRepresentation::Measures vtkVoxelLinesRepresentation::MeasureLines(vtkPolyData* lines)
 {
   vtkVoxelLineMapper* mapper = this->GetVoxelLineMapper();
+  std::string settings = DescribeMeasured(mapper);
   if (this->MeasuredLines != lines || this->MeasuredLinesTime != lines->GetMTime() ||
-    this->MeasuredMapperTime != mapper->GetMTime())
+    this->MeasuredSettings != settings)
   {
     this->Measured = mapper->MeasureLines(lines);
     this->MeasuredLines = lines;
     this->MeasuredLinesTime = lines->GetMTime();
+    this->MeasuredSettings = std::move(settings);
   }
   return this->Measured;
 }
@@ -107,7 +125,6 @@ double vtkVoxelLinesRepresentation::SetSharedMeasures(const Measures* measures)
     // Rays begin before the part.
     margin += mapper->GetOpacityByPathLength() ? 4.0 * radius + 2.0 * voxel : 0.0;
   }
-  this->MeasuredMapperTime = mapper->GetMTime();
   return HasGlobalIllumination(mapper) ? std::numeric_limits<double>::infinity() : margin;
 }
 
@@ -115,7 +132,6 @@ double vtkVoxelLinesRepresentation::SetSharedMeasures(const Measures* measures)
 void vtkVoxelLinesRepresentation::SetRegion(const double region[6])
 {
   this->GetVoxelLineMapper()->SetRegion(region);
-  this->MeasuredMapperTime = this->GetVoxelLineMapper()->GetMTime();
 }
 
 //------------------------------------------------------------------------------

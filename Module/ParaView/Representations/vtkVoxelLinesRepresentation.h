@@ -36,6 +36,7 @@ protected:
   vtkVoxelLinesRepresentation();
   ~vtkVoxelLinesRepresentation() override;
 
+  const char* GetLineMapperType() override { return "vtkVoxelLineMapper"; }
   bool IsThinned() override { return false; }
   std::vector<std::string> GetArraysInUse() override;
   /// Also where tubes are opaque, which let something through where they are thinner than a pixel,
@@ -55,7 +56,7 @@ private:
   Measures Measured;
   vtkWeakPointer<vtkPolyData> MeasuredLines;
   vtkMTimeType MeasuredLinesTime = 0;
-  vtkMTimeType MeasuredMapperTime = 0;
+  std::string MeasuredSettings;
 };
 
 #endif
