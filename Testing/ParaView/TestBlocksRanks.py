@@ -12,7 +12,9 @@ from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter
 
-KINDS = (("Voxel Lines", (1.0, 0.25)), ("Illuminated Lines", (1.0, 0.25)), ("Fourier Opacity", (1.0,)))
+# Back to opaque, when each rank draws its own lines again.
+KINDS = (("Voxel Lines", (1.0, 0.25, 1.0)), ("Illuminated Lines", (1.0, 0.25, 1.0)),
+         ("Fourier Opacity", (1.0,)))
 MISSING = 'have no array "Height" of points with 1 component'
 
 
@@ -71,7 +73,8 @@ for name, opacities in KINDS:
         display.Opacity = opacity
         ranks.check_baseline(view, "TestBlocksRanks%s%d" % (name.replace(" ", ""), 100 * opacity),
                              2.0 if name == "Fourier Opacity" else 0.5 if opacity == 1.0 else 1.0)
-    said = messages.take()
+    # What Fourier Opacity says of NaN.
+    said = [text for text in messages.take() if "not a finite number" not in text]
     told = [text for text in said if MISSING in text]
     testing.check(len(told) == (1 if ranks.RANK == 0 else 0) and len(said) == len(told),
                   "%s: what is missing is told once, by rank 0 alone: %s" % (name, said))
