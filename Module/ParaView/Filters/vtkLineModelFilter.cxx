@@ -7,12 +7,11 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
-#include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeRange.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkLineSetsCheckedValuePrivate.h"
 #include "vtkLineSetsCompatibilityPrivate.h"
+#include "vtkLineSetsLeavesPrivate.h"
 #include "vtkLineVoxelizer.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -138,26 +137,18 @@ std::vector<vtkLineModelFilter::Block> vtkLineModelFilter::FindBlocks(
 {
   numberOfOthers = 0;
   std::vector<Block> blocks;
-  if (auto* single = vtkPolyData::SafeDownCast(input))
-  {
-    blocks.push_back({ single, 0 });
-  }
-  else if (auto* tree = vtkDataObjectTree::SafeDownCast(input))
-  {
-    using Options = vtk::DataObjectTreeOptions;
-    for (const auto& node : vtk::Range(
-           tree, Options::TraverseSubTree | Options::VisitOnlyLeaves | Options::SkipEmptyNodes))
+  vtkLineSetsLeaves::Visit(input,
+    [&](vtkDataObject* leaf, unsigned int flatIndex)
     {
-      if (auto* lines = vtkPolyData::SafeDownCast(node.GetDataObject()))
+      if (auto* lines = vtkPolyData::SafeDownCast(leaf))
       {
-        blocks.push_back({ lines, node.GetFlatIndex() });
+        blocks.push_back({ lines, flatIndex });
       }
       else
       {
         ++numberOfOthers;
       }
-    }
-  }
+    });
   return blocks;
 }
 

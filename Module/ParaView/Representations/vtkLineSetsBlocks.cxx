@@ -5,16 +5,16 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeRange.h"
-#include "vtkDoubleArray.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkLineSetsLeavesPrivate.h"
+#include "vtkLineSetsSpread.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace
@@ -24,45 +24,32 @@ using Parts = std::vector<vtkSmartPointer<vtkPolyData>>;
 constexpr const char* CompositeIndexName = "vtkCompositeIndex";
 
 //------------------------------------------------------------------------------
-/// Collects the leaves that are visible, in the order of their flat indices.
-class PartFinder
+/// The leaves that are visible, in the order of their flat indices.
+struct VisibleParts
 {
-public:
   Parts Found;
   std::vector<unsigned int> Indices;
 
-  explicit PartFinder(vtkCompositeDataDisplayAttributes* attributes)
-    : Attributes(attributes)
+  VisibleParts(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes)
   {
-  }
-
-  /// Go through a node whose parent is visible or not.
-  void Visit(vtkDataObject* node, bool isVisible)
-  {
-    const unsigned int index = this->NextIndex++;
-    if (node && this->Attributes && this->Attributes->HasBlockVisibility(node))
+    const auto isVisible = [attributes](vtkDataObject* node, bool isParentVisible)
     {
-      isVisible = this->Attributes->GetBlockVisibility(node);
-    }
-    if (auto* tree = vtkDataObjectTree::SafeDownCast(node))
-    {
-      for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::None))
+      return attributes && attributes->HasBlockVisibility(node)
+        ? attributes->GetBlockVisibility(node)
+        : isParentVisible;
+    };
+    unsigned int nextIndex = 0;
+    vtkLineSetsLeaves::VisitBelow(data, nextIndex, true, isVisible,
+      [this](vtkDataObject* leaf, unsigned int index, bool isShown)
       {
-        this->Visit(child, isVisible);
-      }
-      return;
-    }
-    auto* part = vtkPolyData::SafeDownCast(node);
-    if (part && isVisible && part->GetNumberOfPoints() > 0)
-    {
-      this->Found.emplace_back(part);
-      this->Indices.push_back(index);
-    }
+        auto* part = vtkPolyData::SafeDownCast(leaf);
+        if (part && isShown && part->GetNumberOfPoints() > 0)
+        {
+          this->Found.emplace_back(part);
+          this->Indices.push_back(index);
+        }
+      });
   }
-
-private:
-  vtkCompositeDataDisplayAttributes* Attributes;
-  unsigned int NextIndex = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -83,83 +70,27 @@ vtkSmartPointer<vtkPolyData> NameBlock(vtkPolyData* part, unsigned int index)
 }
 
 //------------------------------------------------------------------------------
-/// Doubles with NaN where there is no array of that many components.
-vtkSmartPointer<vtkDoubleArray> Fill(
-  vtkDataArray* array, const std::string& name, int components, vtkIdType tuples)
+vtkLineSetsSpread FindSpread(const Parts& parts, const std::string& name, int association)
 {
-  auto filled = vtkSmartPointer<vtkDoubleArray>::New();
-  if (array && array->GetNumberOfComponents() == components)
+  vtkLineSetsSpread spread(name, association);
+  for (vtkPolyData* part : parts)
   {
-    filled->DeepCopy(array);
+    spread.Add(part);
   }
-  else
-  {
-    filled->SetNumberOfComponents(components);
-    filled->SetNumberOfTuples(tuples);
-    std::fill_n(
-      filled->GetPointer(0), filled->GetNumberOfValues(), std::numeric_limits<double>::quiet_NaN());
-  }
-  filled->SetName(name.c_str());
-  return filled;
+  return spread;
 }
 
 //------------------------------------------------------------------------------
-/// How an array is spread over the points or the cells of the parts.
-struct Spread
-{
-  std::string Name;
-  int Association;
-  int Components = 0;
-  std::size_t Missing = 0;
-  bool IsUniform = true;
-
-  Spread(const Parts& parts, const std::string& name, int association)
-    : Name(name)
-    , Association(association)
-  {
-    int type = VTK_VOID;
-    for (vtkPolyData* part : parts)
-    {
-      vtkDataArray* array = part->GetAttributes(association)->GetArray(name.c_str());
-      if (array && this->Components == 0)
-      {
-        this->Components = array->GetNumberOfComponents();
-        type = array->GetDataType();
-      }
-    }
-    for (vtkPolyData* part : parts)
-    {
-      vtkDataArray* array = part->GetAttributes(association)->GetArray(name.c_str());
-      this->Missing += !array || array->GetNumberOfComponents() != this->Components ? 1 : 0;
-      this->IsUniform = this->IsUniform && array && array->GetDataType() == type &&
-        array->GetNumberOfComponents() == this->Components;
-    }
-  }
-
-  /// Whether some parts need to be changed.
-  bool IsPartial() const { return this->Components > 0 && !this->IsUniform; }
-
-  void Apply(const Parts& parts) const
-  {
-    for (vtkPolyData* part : parts)
-    {
-      vtkDataSetAttributes* data = part->GetAttributes(this->Association);
-      data->AddArray(Fill(data->GetArray(this->Name.c_str()), this->Name, this->Components,
-        part->GetNumberOfElements(this->Association)));
-    }
-  }
-};
-
-//------------------------------------------------------------------------------
 /// Those of the arrays that not all parts have alike.
-std::vector<Spread> FindPartial(const Parts& parts, const std::vector<std::string>& names)
+std::vector<vtkLineSetsSpread> FindPartial(
+  const Parts& parts, const std::vector<std::string>& names)
 {
-  std::vector<Spread> partial;
+  std::vector<vtkLineSetsSpread> partial;
   for (const std::string& name : names)
   {
     for (int association : { vtkDataObject::POINT, vtkDataObject::CELL })
     {
-      const Spread spread(parts, name, association);
+      const vtkLineSetsSpread spread = FindSpread(parts, name, association);
       if (spread.IsPartial())
       {
         partial.push_back(spread);
@@ -167,17 +98,6 @@ std::vector<Spread> FindPartial(const Parts& parts, const std::vector<std::strin
     }
   }
   return partial;
-}
-
-//------------------------------------------------------------------------------
-std::string Describe(const Spread& spread, std::size_t parts)
-{
-  return std::to_string(spread.Missing) + " of " + std::to_string(parts) +
-    " visible blocks have no array \"" + spread.Name + "\" of " +
-    (spread.Association == vtkDataObject::POINT ? "points" : "cells") + " with " +
-    std::to_string(spread.Components) + (spread.Components == 1 ? " component" : " components") +
-    ". Its values are NaN there: such lines have the colour map's NaN colour, and no importance, "
-    "radius or tangent of their own.";
 }
 
 //------------------------------------------------------------------------------
@@ -226,25 +146,16 @@ vtkSmartPointer<vtkPolyData> Append(const Parts& parts)
 vtkPolyData* vtkLineSetsBlocks::Join(
   vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, const Request& request)
 {
-  PartFinder finder(attributes);
-  finder.Visit(data, true);
-
-  const std::vector<Spread> partial = FindPartial(finder.Found, request.Arrays);
+  VisibleParts visible(data, attributes);
+  std::vector<vtkLineSetsSpread> partial = FindPartial(visible.Found, request.Arrays);
   std::vector<std::string> changes = { request.FieldArray };
-  this->Warnings.clear();
-  for (const Spread& spread : partial)
+  for (const vtkLineSetsSpread& spread : partial)
   {
-    const std::string key = std::to_string(spread.Association) + spread.Name;
-    changes.push_back(key);
-    if (spread.Missing > 0)
-    {
-      this->Warnings.push_back({ key, Describe(spread, finder.Found.size()) });
-    }
+    changes.push_back(spread.GetKey());
   }
-
-  const bool isSame = this->Joined && finder.Found == this->Sources &&
-    finder.Indices == this->Indices && changes == this->Changes &&
-    std::all_of(finder.Found.begin(), finder.Found.end(),
+  const bool isSame = this->Joined && visible.Found == this->Sources &&
+    visible.Indices == this->Indices && changes == this->Changes &&
+    std::all_of(visible.Found.begin(), visible.Found.end(),
       [this](vtkPolyData* part) { return part->GetMTime() < this->JoinTime; });
   if (isSame)
   {
@@ -252,22 +163,41 @@ vtkPolyData* vtkLineSetsBlocks::Join(
   }
 
   Parts named;
-  for (std::size_t i = 0; i < finder.Found.size(); ++i)
+  for (std::size_t i = 0; i < visible.Found.size(); ++i)
   {
-    named.push_back(NameBlock(finder.Found[i], finder.Indices[i]));
+    named.push_back(NameBlock(visible.Found[i], visible.Indices[i]));
     if (!request.FieldArray.empty())
     {
       SpreadFieldArray(named.back(), request.FieldArray);
     }
   }
-  for (const Spread& spread : partial)
+  if (!request.FieldArray.empty())
   {
-    spread.Apply(named);
+    partial.push_back(FindSpread(named, request.FieldArray, vtkDataObject::CELL));
+  }
+  this->Warnings.clear();
+  for (const vtkLineSetsSpread& spread : partial)
+  {
+    if (!spread.IsPartial())
+    {
+      continue;
+    }
+    std::for_each(named.begin(), named.end(), [&spread](vtkPolyData* part) { spread.Apply(part); });
+    if (spread.GetMissing() > 0)
+    {
+      this->Warnings.push_back({ spread.GetKey(), spread.GetWarning("visible blocks") });
+    }
   }
   this->Joined = Append(named);
-  this->Sources = std::move(finder.Found);
-  this->Indices = std::move(finder.Indices);
+  this->Sources = std::move(visible.Found);
+  this->Indices = std::move(visible.Indices);
   this->Changes = std::move(changes);
   this->JoinTime.Modified();
   return this->Joined;
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsBlocks::Release()
+{
+  *this = vtkLineSetsBlocks();
 }

@@ -9,9 +9,8 @@
  * of each cell's block, unless the geometry filter has made that as well (AMR).
  *
  * The arrays of the result are those that all visible blocks with points have, and those that are
- * in use and that some block has ("partial arrays"): these become double precision, with NaN for
- * the other blocks' points or cells. An array of the blocks' field data that colours whole blocks
- * becomes a cell array of its first tuple.
+ * in use and that some block has (vtkLineSetsSpread). An array of the blocks' field data that
+ * colours whole blocks becomes a cell array of its first tuple.
  *
  * The result is kept as long as the data, the visible blocks and what was changed in their arrays
  * are the same.
@@ -58,6 +57,9 @@ public:
 
   /// One for each array in use that some blocks lack.
   const std::vector<Warning>& GetWarnings() const { return this->Warnings; }
+
+  /// Forget the result and what it was made of.
+  void Release();
 
 private:
   using Parts = std::vector<vtkSmartPointer<vtkPolyData>>;

@@ -207,6 +207,7 @@ vtkPolyData* vtkLineSetsDistribution::Distribute(vtkPolyData* lines, bool isChan
   // In world coordinates, and some more for rounding.
   const double reach = 1.001 * margin * GetLargestStretch(matrix);
   const vtkLineSetsPieces pieces(lines, matrix, BlockSize);
+  this->NumberOfInvalidCells = pieces.GetNumberOfInvalidCells();
   Parts parts;
   for (const Box& box : boxes)
   {
@@ -216,4 +217,10 @@ vtkPolyData* vtkLineSetsDistribution::Distribute(vtkPolyData* lines, bool isChan
   Exchange(parts, controller);
   this->Result = Join(parts);
   return this->Result;
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsDistribution::Release()
+{
+  *this = vtkLineSetsDistribution();
 }

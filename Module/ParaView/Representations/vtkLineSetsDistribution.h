@@ -16,7 +16,8 @@
  *    Closed lines stay whole. Blocks begin at multiples of BlockSize within the line, and so do
  *    pieces: vtkLineMerging relies on it.
  * 2. Points of poly-vertices go to the boxes that they are in, polygons and strips whole.
- * 3. The pieces keep all arrays of points and cells, ids of original cells among them.
+ * 3. The pieces keep all arrays of points and cells, ids of original cells among them. After they
+ *    are joined, those are left that all of them have: see vtkLineSetsCompletion.
  * 4. Pieces are sent from process to process in rounds of pairs, and joined in the order of ranks.
  *
  * Who draws must draw nothing outside of the process's box: what is in the margin is there twice.
@@ -66,6 +67,12 @@ public:
   vtkPolyData* Distribute(vtkPolyData* lines, bool isChanged, const std::vector<Box>& boxes,
     vtkMatrix4x4* matrix, double margin, vtkMultiProcessController* controller);
 
+  /// Cells of this process's lines that were left out since they name points that do not exist.
+  vtkIdType GetNumberOfInvalidCells() const { return this->NumberOfInvalidCells; }
+
+  /// Forget the result and what it was made of: the next call distributes anew.
+  void Release();
+
 private:
   vtkSmartPointer<vtkPolyData> Result;
   vtkSmartPointer<vtkPolyData> Lines;
@@ -73,6 +80,7 @@ private:
   std::vector<Box> Boxes;
   std::array<double, 16> Matrix{};
   double Margin = 0.0;
+  vtkIdType NumberOfInvalidCells = 0;
 };
 
 #endif

@@ -6,6 +6,7 @@
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
+#include "vtkLineSetsTuplesPrivate.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -50,15 +51,6 @@ bool Meet(const Box& a, const Box& b)
     meet = meet && a[2 * axis] <= b[2 * axis + 1] && b[2 * axis] <= a[2 * axis + 1];
   }
   return meet;
-}
-
-//------------------------------------------------------------------------------
-/// Copies the tuples of some points or cells, of all arrays.
-void CopyTuples(vtkDataSetAttributes* from, vtkIdList* ids, vtkDataSetAttributes* to)
-{
-  to->CopyAllOn(vtkDataSetAttributes::COPYTUPLE);
-  to->CopyAllocate(from, ids->GetNumberOfIds());
-  to->CopyData(from, ids);
 }
 }
 
@@ -110,15 +102,48 @@ vtkLineSetsPieces::vtkLineSetsPieces(vtkPolyData* data, vtkMatrix4x4* worldFromD
       }
     });
 
-  vtkCellArray* lines = data->GetLines();
+  this->PartLines();
+  const auto count = [this](vtkCellArray* cells)
+  {
+    vtkNew<vtkIdList> cell;
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+    {
+      cells->GetCellAtId(i, cell);
+      this->NumberOfInvalidCells +=
+        this->AreValid(cell->GetPointer(0), cell->GetNumberOfIds()) ? 0 : 1;
+    }
+  };
+  count(data->GetVerts());
+  count(data->GetPolys());
+  count(data->GetStrips());
+}
+
+//------------------------------------------------------------------------------
+bool vtkLineSetsPieces::AreValid(const vtkIdType* ids, vtkIdType size) const
+{
+  const auto count = static_cast<vtkIdType>(this->Points.size());
+  return std::all_of(ids, ids + size, [count](vtkIdType id) { return id >= 0 && id < count; });
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsPieces::PartLines()
+{
+  vtkCellArray* lines = this->Data->GetLines();
   const vtkIdType numberOfLines = lines->GetNumberOfCells();
   this->FirstBlocks.resize(static_cast<std::size_t>(numberOfLines) + 1, 0);
+  vtkNew<vtkIdList> space;
   for (vtkIdType line = 0; line < numberOfLines; ++line)
   {
-    const vtkIdType segments = std::max<vtkIdType>(lines->GetCellSize(line) - 1, 0);
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    lines->GetCellAtId(line, size, ids, space);
+    const bool isValid = this->AreValid(ids, size);
+    this->NumberOfInvalidCells += isValid ? 0 : 1;
+    // Without blocks the line is in no box.
+    const vtkIdType segments = isValid ? std::max<vtkIdType>(size - 1, 0) : 0;
     const auto i = static_cast<std::size_t>(line);
-    this->FirstBlocks[i + 1] =
-      this->FirstBlocks[i] + static_cast<std::size_t>((segments + blockSize - 1) / blockSize);
+    this->FirstBlocks[i + 1] = this->FirstBlocks[i] +
+      static_cast<std::size_t>((segments + this->BlockSize - 1) / this->BlockSize);
   }
   this->Blocks.resize(this->FirstBlocks.back());
   vtkSMPThreadLocalObject<vtkIdList> idLists;
@@ -186,8 +211,8 @@ vtkSmartPointer<vtkPolyData> vtkLineSetsPieces::Select(const Box& box) const
   result->SetLines(output.Lines);
   result->SetPolys(output.Polys);
   result->SetStrips(output.Strips);
-  CopyTuples(this->Data->GetPointData(), output.Points, result->GetPointData());
-  CopyTuples(this->Data->GetCellData(), output.Cells, result->GetCellData());
+  vtkLineSetsCopyTuples(this->Data->GetPointData(), output.Points, result->GetPointData());
+  vtkLineSetsCopyTuples(this->Data->GetCellData(), output.Cells, result->GetCellData());
   result->GetFieldData()->ShallowCopy(this->Data->GetFieldData());
   return result;
 }
@@ -205,7 +230,7 @@ void vtkLineSetsPieces::SelectVertices(const Box& box, Output& output) const
     verts->GetCellAtId(cell, size, ids, space);
     inside.clear();
     std::copy_if(ids, ids + size, std::back_inserter(inside),
-      [&](vtkIdType id) { return Meet(this->GetBounds(&id, 1), box); });
+      [&](vtkIdType id) { return this->AreValid(&id, 1) && Meet(this->GetBounds(&id, 1), box); });
     if (!inside.empty())
     {
       output.AddCell(output.Verts, inside.data(), static_cast<vtkIdType>(inside.size()), cell);
@@ -270,7 +295,7 @@ void vtkLineSetsPieces::SelectCells(const Box& box, Output& output) const
       vtkIdType size = 0;
       const vtkIdType* ids = nullptr;
       from->GetCellAtId(i, size, ids, space);
-      if (Meet(this->GetBounds(ids, size), box))
+      if (this->AreValid(ids, size) && Meet(this->GetBounds(ids, size), box))
       {
         output.AddCell(to, ids, size, cell);
       }

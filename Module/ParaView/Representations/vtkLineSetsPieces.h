@@ -30,12 +30,20 @@ public:
   vtkLineSetsPieces(vtkPolyData* data, vtkMatrix4x4* worldFromData, int blockSize);
   ~vtkLineSetsPieces();
 
+  /// Cells that name points which do not exist: these are in no piece, but for the other points of
+  /// poly-vertices.
+  vtkIdType GetNumberOfInvalidCells() const { return this->NumberOfInvalidCells; }
+
   /// What comes within a box, sides included; never null.
   vtkSmartPointer<vtkPolyData> Select(const Box& box) const;
 
 private:
   struct Output;
 
+  /// Finds out how many blocks there are, and their bounds.
+  void PartLines();
+  /// Whether there are points of these ids.
+  bool AreValid(const vtkIdType* ids, vtkIdType size) const;
   Box GetBounds(const vtkIdType* ids, vtkIdType size) const;
   void SelectVertices(const Box& box, Output& output) const;
   void SelectLines(const Box& box, Output& output) const;
@@ -44,6 +52,7 @@ private:
 
   vtkSmartPointer<vtkPolyData> Data;
   vtkIdType BlockSize;
+  vtkIdType NumberOfInvalidCells = 0;
   /// World coordinates of all points.
   std::vector<std::array<double, 3>> Points;
   /// Bounds of the blocks of all lines, and where those of a line begin.

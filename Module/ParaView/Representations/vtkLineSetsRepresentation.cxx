@@ -61,6 +61,19 @@ struct vtkLineSetsRepresentation::Level
   vtkSmartPointer<vtkDataObject> Data;
   vtkTimeStamp AttributesTime;
 
+  /// The visible blocks, with the arrays in use that any rank has.
+  vtkPolyData* Join(vtkDataObject* data, const vtkLineSetsBlocks::Request& request,
+    vtkInformation* viewInfo, bool isDetail)
+  {
+    this->Shared.SetView(vtkPVRenderView::SafeDownCast(viewInfo->Get(vtkPVView::VIEW())), isDetail);
+    std::vector<std::string> names = request.Arrays;
+    if (!request.FieldArray.empty())
+    {
+      names.push_back(request.FieldArray);
+    }
+    return this->Shared.Complete(this->Blocks.Join(data, this->Attributes, request), names);
+  }
+
   bool IsCurrent(vtkDataObject* data) const
   {
     return this->Data == data && (!data || data->GetMTime() < this->AttributesTime.GetMTime());
@@ -252,19 +265,24 @@ void vtkLineSetsRepresentation::UpdateLines(vtkInformation* viewInfo)
 
   if (detail)
   {
-    vtkPolyData* lines = this->Thin->Blocks.Join(detail, this->Thin->Attributes, request);
     // Settles what the mapper of the whole is told, before that of the detail takes it over.
-    vtkPolyData* mine = this->IsOutline(detail) ? lines : this->Share(*this->Thin, lines, viewInfo);
+    vtkPolyData* mine = this->IsOutline(detail)
+      ? this->Thin->Blocks.Join(detail, this->Thin->Attributes, request)
+      : this->Share(*this->Thin, this->Thin->Join(detail, request, viewInfo, true));
     SetInput(this->UpdateLevelOfDetailMapper(detail), mine);
   }
   else
   {
-    vtkPolyData* lines = this->Whole->Blocks.Join(data, this->Whole->Attributes, request);
-    SetInput(this->GetLineMapper(), this->Share(*this->Whole, lines, viewInfo));
+    vtkPolyData* lines = this->Whole->Join(data, request, viewInfo, false);
+    SetInput(this->GetLineMapper(), this->Share(*this->Whole, lines));
     this->CheckLines(lines);
     for (const vtkLineSetsBlocks::Warning& warning : this->Whole->Blocks.GetWarnings())
     {
       this->WarnOnce(warning.Text, warning.Key);
+    }
+    for (const std::string& warning : this->Whole->Shared.GetWarnings())
+    {
+      this->WarnOnce(warning);
     }
   }
   this->Actor->SetEnableLOD(detail ? 1 : 0);
@@ -386,13 +404,11 @@ void vtkLineSetsRepresentation::WarnOnce(const std::string& warning, const std::
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* vtkLineSetsRepresentation::Share(
-  Level& level, vtkPolyData* lines, vtkInformation* viewInfo)
+vtkPolyData* vtkLineSetsRepresentation::Share(Level& level, vtkPolyData* lines)
 {
-  level.Shared.SetView(
-    vtkPVRenderView::SafeDownCast(viewInfo->Get(vtkPVView::VIEW())), &level == this->Thin.get());
   if (!level.Shared.IsParted())
   {
+    level.Shared.Release();
     this->SetSharedMeasures(nullptr);
     this->Margin = -1.0;
     this->SetRegion(level.Shared.GetRegion().data());
@@ -412,6 +428,10 @@ vtkPolyData* vtkLineSetsRepresentation::Share(
     vtkNew<vtkMatrix4x4> matrix;
     this->Actor->GetMatrix(matrix);
     mine = level.Shared.Distribute(lines, matrix, this->Margin);
+  }
+  else
+  {
+    level.Shared.ReleasePieces();
   }
   this->SetRegion(
     moves ? level.Shared.GetRegion().data() : vtkLineSetsDistribution::GetOpenBox().data());

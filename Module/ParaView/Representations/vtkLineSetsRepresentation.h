@@ -130,7 +130,8 @@ private:
 
   /// The lines of one level of detail and what ParaView sets for their blocks.
   struct Level;
-  vtkPolyData* Share(Level& level, vtkPolyData* lines, vtkInformation* viewInfo);
+  /// What this rank draws of the level's lines, of which it tells the mapper.
+  vtkPolyData* Share(Level& level, vtkPolyData* lines);
 
   std::unique_ptr<Level> Whole;
   std::unique_ptr<Level> Thin;

@@ -62,6 +62,12 @@ bool vtkLineSetsShare::HasExtent(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
+vtkPolyData* vtkLineSetsShare::Complete(vtkPolyData* lines, const std::vector<std::string>& names)
+{
+  return this->IsParted() ? this->Completion.Complete(lines, names, this->Controller) : lines;
+}
+
+//------------------------------------------------------------------------------
 vtkLineSetsShare::Measures vtkLineSetsShare::Reduce(const Measures& measures, vtkPolyData* lines)
 {
   // All as largest values; what a rank does not have counts for nothing.
@@ -106,6 +112,26 @@ vtkPolyData* vtkLineSetsShare::Distribute(vtkPolyData* lines, vtkMatrix4x4* matr
 {
   return this->Distribution.Distribute(
     lines, this->IsChanged, this->Boxes, matrix, margin, this->Controller);
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsShare::Release()
+{
+  this->Completion.Release();
+  this->Distribution.Release();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkLineSetsShare::GetWarnings() const
+{
+  std::vector<std::string> warnings = this->Completion.GetWarnings();
+  if (this->Distribution.GetNumberOfInvalidCells() > 0)
+  {
+    warnings.push_back(std::to_string(this->Distribution.GetNumberOfInvalidCells()) +
+      " cells name points that do not exist: they are not drawn, but for the other points of "
+      "poly-vertices.");
+  }
+  return warnings;
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,8 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkIdList.h"
+#include "vtkLineSetsLeavesPrivate.h"
+#include "vtkLineSetsTuplesPrivate.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -22,24 +24,16 @@ namespace
 //------------------------------------------------------------------------------
 /// Calls visit(vtkPolyData*) for each leaf that is one.
 template <typename Visitor>
-void VisitLeaves(vtkDataObject* data, Visitor&& visit)
+void VisitParts(vtkDataObject* data, Visitor&& visit)
 {
-  using Options = vtk::DataObjectTreeOptions;
-  if (auto* single = vtkPolyData::SafeDownCast(data))
-  {
-    visit(single);
-  }
-  else if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
-  {
-    for (vtkDataObject* leaf : vtk::Range(
-           tree, Options::TraverseSubTree | Options::VisitOnlyLeaves | Options::SkipEmptyNodes))
+  vtkLineSetsLeaves::Visit(data,
+    [&visit](vtkDataObject* leaf, unsigned int)
     {
       if (auto* part = vtkPolyData::SafeDownCast(leaf))
       {
         visit(part);
       }
-    }
-  }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -101,21 +95,6 @@ vtkSmartPointer<vtkCellArray> ThinCells(
 }
 
 //------------------------------------------------------------------------------
-/// The chosen tuples of all arrays.
-void CopyTuples(vtkDataSetAttributes* from, vtkIdList* ids, vtkDataSetAttributes* to)
-{
-  vtkNew<vtkIdList> places;
-  places->SetNumberOfIds(ids->GetNumberOfIds());
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-  {
-    places->SetId(i, i);
-  }
-  to->CopyAllOn();
-  to->CopyAllocate(from, ids->GetNumberOfIds());
-  to->CopyData(from, ids, places);
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> ThinPart(vtkPolyData* part, vtkIdType step)
 {
   auto thinned = vtkSmartPointer<vtkPolyData>::New();
@@ -131,8 +110,8 @@ vtkSmartPointer<vtkPolyData> ThinPart(vtkPolyData* part, vtkIdType step)
     part->GetPoints()->GetPoints(points.GetOlds(), positions);
   }
   thinned->SetPoints(positions);
-  CopyTuples(part->GetPointData(), points.GetOlds(), thinned->GetPointData());
-  CopyTuples(part->GetCellData(), cells, thinned->GetCellData());
+  vtkLineSetsCopyTuples(part->GetPointData(), points.GetOlds(), thinned->GetPointData());
+  vtkLineSetsCopyTuples(part->GetCellData(), cells, thinned->GetCellData());
   thinned->GetFieldData()->ShallowCopy(part->GetFieldData());
   return thinned;
 }
@@ -141,7 +120,7 @@ vtkSmartPointer<vtkPolyData> ThinPart(vtkPolyData* part, vtkIdType step)
 vtkIdType GetStep(vtkDataObject* data, double resolution)
 {
   double count = 0.0;
-  VisitLeaves(data, [&](vtkPolyData* part) { count += part->GetNumberOfPoints(); });
+  VisitParts(data, [&](vtkPolyData* part) { count += part->GetNumberOfPoints(); });
   const double divisions = 10.0 + 150.0 * std::min(std::max(resolution, 0.0), 1.0);
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   const int ranks = controller ? controller->GetNumberOfProcesses() : 1;
@@ -155,7 +134,7 @@ bool vtkLineSetsThinning::IsPossible(vtkDataObject* data)
 {
   vtkIdType lines = 0;
   vtkIdType faces = 0;
-  VisitLeaves(data,
+  VisitParts(data,
     [&](vtkPolyData* part)
     {
       lines += part->GetNumberOfLines();
@@ -196,4 +175,10 @@ vtkDataObject* vtkLineSetsThinning::Thin(vtkDataObject* data, double resolution)
   this->Resolution = resolution;
   this->ThinTime.Modified();
   return this->Thinned;
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsThinning::Release()
+{
+  *this = vtkLineSetsThinning();
 }
