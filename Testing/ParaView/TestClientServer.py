@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Guards that a server draws as a client alone does: remote and local rendering, while the user
-interacts, selection, and what is told to be in use. Starts a pvserver on a free port and ends it in all cases."""
+interacts, selection, and what is told to be in use. Starts a pvserver on a free port and ends it in
+all cases."""
 import os
 import socket
 import subprocess

@@ -3,7 +3,7 @@
 """
 Guards that several ranks draw what one draws. Lines that lie between each other are parted among the
 ranks, so that those of all ranks are before and behind each other everywhere. Also that a level of
-detail has no more points with more ranks, and that another colour array is measured anew.
+detail has no more points with more ranks.
 """
 import linesets_ranks as ranks
 import linesets_testing as testing
@@ -58,20 +58,6 @@ waves.Scale = [0.8, 0.6, 1.0]
 waves.Orientation = [20.0, 0.0, 40.0]
 waves.Translation = [0.1, -0.2, 0.0]
 check_kinds(waves_view, waves, "Waves")
-
-# Measures that are kept are those of the array in use: as in a view that never had another one.
-pictures = []
-for arrays in (("CELLS", "Helix", 60.0), ("POINTS", "Height", 2.0)), (("POINTS", "Height", 2.0),):
-    view, display = show(testing.make_helices(60, 300), "again", *arrays[0])
-    view.CameraFocalPoint = [0.0, 0.0, 1.0]
-    display.Representation = "Voxel Lines"
-    for array in arrays:
-        testing.color_by(display, array[0], array[1], 0.0, array[2])
-        simple.Render(view)
-    pictures.append(ranks.take_picture(view, "TestRanksAgain"))
-if ranks.RANK == 0:
-    difference = testing.rmse(*pictures)
-    testing.check(difference == 0.0, "another colour array: differs by %.2f" % difference)
 
 # The level of detail, of 10 000 points at this resolution.
 lines = simple.XMLPartitionedPolydataReader(
