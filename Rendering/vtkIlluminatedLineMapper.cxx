@@ -3,6 +3,7 @@
 #include "vtkIlluminatedLineMapper.h"
 
 #include "vtkActor.h"
+#include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIlluminatedLineShader.h"
@@ -22,6 +23,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObjectCache.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -485,13 +487,50 @@ void vtkIlluminatedLineMapper::ProcessSelectorPixelBuffers(
   if (this->PointIdArrayName || !this->Internals->Vertices.IsCopied())
   {
     this->Superclass::ProcessSelectorPixelBuffers(selector, pixelOffsets, prop);
+  }
+  else
+  {
+    // For the while of the call, not by the setter: the mapper is not modified.
+    std::string name = vtkIlluminatedLineVertices::GetPointIdName();
+    this->PointIdArrayName = &name[0];
+    this->Superclass::ProcessSelectorPixelBuffers(selector, pixelOffsets, prop);
+    this->PointIdArrayName = nullptr;
+  }
+  this->WriteProcesses(selector, pixelOffsets);
+}
+
+//------------------------------------------------------------------------------
+void vtkIlluminatedLineMapper::WriteProcesses(
+  vtkHardwareSelector* selector, const std::vector<unsigned int>& pixelOffsets)
+{
+  if (selector->GetCurrentPass() != vtkHardwareSelector::PROCESS_PASS ||
+    !selector->GetUseProcessIdFromData() || !this->PopulateSelectionSettings ||
+    !this->CurrentInput || !this->ProcessIdArrayName)
+  {
     return;
   }
-  // For the while of the call, not by the setter: the mapper is not modified.
-  std::string name = vtkIlluminatedLineVertices::GetPointIdName();
-  this->PointIdArrayName = &name[0];
-  this->Superclass::ProcessSelectorPixelBuffers(selector, pixelOffsets, prop);
-  this->PointIdArrayName = nullptr;
+  // As the superclass does: by the point that the pixel shows, whose number in the data that is
+  // drawn an earlier pass has left in the raw buffers.
+  vtkDataArray* processes = this->CurrentInput->GetPointData()->GetArray(this->ProcessIdArrayName);
+  const unsigned char* low = selector->GetRawPixelBuffer(vtkHardwareSelector::POINT_ID_LOW24);
+  const unsigned char* high = selector->GetRawPixelBuffer(vtkHardwareSelector::POINT_ID_HIGH24);
+  unsigned char* pixels = selector->GetPixelBuffer(vtkHardwareSelector::PROCESS_PASS);
+  if (!processes || processes->GetDataType() != VTK_UNSIGNED_INT || !low || !pixels)
+  {
+    return;
+  }
+  for (unsigned int offset : pixelOffsets)
+  {
+    const vtkIdType point = low[offset] | (low[offset + 1] << 8) | (low[offset + 2] << 16) |
+      ((high ? vtkIdType{ high[offset] } : vtkIdType{ 0 }) << 24);
+    if (point < processes->GetNumberOfTuples())
+    {
+      const unsigned int value = static_cast<unsigned int>(processes->GetComponent(point, 0)) + 1;
+      pixels[offset] = value & 0xff;
+      pixels[offset + 1] = (value >> 8) & 0xff;
+      pixels[offset + 2] = (value >> 16) & 0xff;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -180,6 +180,9 @@ private:
   bool IsOpaqueEverywhere(vtkActor* actor);
   void UpdateMergeLength(vtkRenderer* renderer, vtkActor* actor);
   bool AreLinesLit(vtkOpenGLHelper& lines, vtkRenderer* renderer, vtkActor* actor);
+  /// Of the selected pixels, from the array that ProcessIdArrayName names: the superclass puts them
+  /// into the raw buffer, which tells what was drawn and which no selection is made from.
+  void WriteProcesses(vtkHardwareSelector* selector, const std::vector<unsigned int>& pixelOffsets);
   void WarnOnce(std::string& last, const std::string& warning);
 
   class vtkInternals;

@@ -68,10 +68,11 @@ def take_lines(data, lines):
     return piece
 
 
-def write_pieces(data, name, number=4):
+def write_pieces(data, name, number=4, is_symmetric=True):
     """
     Writes the lines in pieces that a reader parts among ranks: line by line in turn, so that those of
-    different ranks lie between each other. Returns the path of the file that names the pieces.
+    different ranks lie between each other. All ranks run this, or the root alone does (not
+    symmetric). Returns the path of the file that names the pieces.
     """
     folder = os.path.join(testing.OUTPUT, "%s-%d" % (name, RANKS))
     path = os.path.join(folder, name + ".pvtp")
@@ -96,7 +97,8 @@ def write_pieces(data, name, number=4):
             for i in range(number):
                 file.write('<Piece Source="%s_%d.vtp"/>\n' % (name, i))
             file.write("</PPolyData>\n</VTKFile>\n")
-    CONTROLLER.Barrier()
+    if is_symmetric:
+        CONTROLLER.Barrier()
     return path
 
 

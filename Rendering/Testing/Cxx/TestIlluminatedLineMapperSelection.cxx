@@ -2,17 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Guards hardware selection: cells and points of the input, also where lines share points, of which
-// the mapper draws copies; with id arrays of the user; and that pictures are not disturbed.
+// the mapper draws copies; with id arrays of the user; with the processes that lines are of; and
+// that pictures are not disturbed.
 
 #include "VoxelLineMapperTesting.h"
+#include "vtkFloatArray.h"
+#include "vtkFourierOpacityMapper.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIlluminatedLineMapper.h"
 #include "vtkInformation.h"
+#include "vtkIntArray.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
+#include "vtkUnsignedIntArray.h"
 
+#include <algorithm>
 #include <set>
+#include <type_traits>
+#include <utility>
 
 using namespace VoxelLineMapperTesting;
 
@@ -157,6 +165,112 @@ void CheckIds(Checks& check, bool isLadder, bool hasUserIds)
     name + "the picture after selection" + VoxelLineMapperTesting::Describe(difference));
 }
 
+using Owned = std::set<std::pair<int, vtkIdType>>;
+
+// Of all of the window: process and id. The selector takes itself for that of process 5.
+Owned SelectOwned(Stage& stage, int association, bool usesArray)
+{
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(stage.Renderer);
+  selector->SetFieldAssociation(association);
+  selector->SetArea(0, 0, 199, 199);
+  selector->SetProcessID(5);
+  selector->SetUseProcessIdFromData(usesArray);
+  auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  Owned selected;
+  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
+  {
+    vtkSelectionNode* node = selection->GetNode(i);
+    auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
+    for (vtkIdType k = 0; ids && k < ids->GetNumberOfValues(); ++k)
+    {
+      selected.emplace(
+        node->GetProperties()->Get(vtkSelectionNode::PROCESS_ID()), ids->GetValue(k));
+    }
+  }
+  return selected;
+}
+
+// Lines that other processes have handed on are theirs: each bar is of a process of its own, in
+// numbers of one byte to three.
+template <typename MapperT>
+void CheckProcesses(Checks& check, bool isShared, double opacity)
+{
+  constexpr unsigned int processes[] = { 0, 3, 300, 70000 };
+  auto lines = MakeBars();
+  vtkNew<vtkUnsignedIntArray> numbers;
+  numbers->SetName("processes");
+  vtkNew<vtkIntArray> others;
+  others->SetName("others");
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+  {
+    numbers->InsertNextValue(processes[i / 5]);
+    others->InsertNextValue(9);
+  }
+  lines->GetPointData()->AddArray(numbers);
+  lines->GetPointData()->AddArray(others);
+  if (isShared)
+  {
+    // The second half of each bar once more, of whose points the mapper draws copies.
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      lines->GetLines()->InsertNextCell({ 5 * i + 2, 5 * i + 3, 5 * i + 4 });
+    }
+  }
+  vtkNew<MapperT> mapper;
+  if constexpr (std::is_same_v<MapperT, vtkFourierOpacityMapper>)
+  {
+    // All is important: a selection leaves out what is faint.
+    vtkNew<vtkFloatArray> importance;
+    importance->SetNumberOfValues(lines->GetNumberOfPoints());
+    importance->FillValue(1.0f);
+    lines->GetPointData()->SetScalars(importance);
+    mapper->SetImportanceRange(0.0, 1.0);
+  }
+  mapper->SetInputData(lines);
+  mapper->SetProcessIdArrayName("processes");
+  Stage stage(200, 200);
+  auto actor = stage.Add(mapper, opacity);
+  actor->GetProperty()->SetLineWidth(5.0);
+  LookAlongZ(stage);
+  stage.Render();
+  const std::string name = std::string(mapper->GetClassName()) + (isShared ? ", copies, " : ", ");
+  Owned cells = { { 0, 0 } };
+  Owned points;
+  for (int bar = 0; bar < 4; ++bar)
+  {
+    const int process = static_cast<int>(processes[bar]);
+    cells.emplace(process, 1 + bar);
+    if (isShared)
+    {
+      cells.emplace(process, 5 + bar);
+    }
+    for (int k = 0; k < 5; ++k)
+    {
+      points.emplace(process, 5 * bar + k);
+    }
+  }
+  // Of the parts that lie upon each other either may be seen.
+  Owned found = SelectOwned(stage, Cells, true);
+  check(std::includes(cells.begin(), cells.end(), found.begin(), found.end()) && found.size() >= 4,
+    name + "cells and their processes");
+  check(SelectOwned(stage, Points, true) == points, name + "points and their processes");
+
+  // All are of the selector's own where it is not to look, and where there is nothing to look at.
+  const auto areOwn = [&stage](bool usesArray)
+  {
+    const Owned own = SelectOwned(stage, Cells, usesArray);
+    return own.size() >= 4 &&
+      std::all_of(own.begin(), own.end(), [](const auto& id) { return id.first == 5; });
+  };
+  check(areOwn(false), name + "processes are not asked for");
+  for (const char* array : { "others", "missing", static_cast<const char*>(nullptr) })
+  {
+    mapper->SetProcessIdArrayName(array);
+    check(areOwn(true), name + "processes by " + (array ? array : "no array"));
+  }
+}
+
 // Highlights of the mapper's own selection: just those of vtkPolyDataMapper.
 void CheckHighlights(Checks& check)
 {
@@ -216,6 +330,12 @@ int TestIlluminatedLineMapperSelection(int, char*[])
     {
       CheckIds(check, isLadder, hasUserIds);
     }
+  }
+  for (bool isShared : { false, true })
+  {
+    CheckProcesses<vtkIlluminatedLineMapper>(check, isShared, 1.0);
+    CheckProcesses<vtkIlluminatedLineMapper>(check, isShared, 0.5);
+    CheckProcesses<vtkFourierOpacityMapper>(check, isShared, 0.9);
   }
   CheckHighlights(check);
   check(messages->IsQuiet(), "no errors and no warnings");
