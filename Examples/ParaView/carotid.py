@@ -52,11 +52,13 @@ parser.add_argument("--representation", default="Voxel Lines",
 parser.add_argument("--output", help="a PNG to write; default: none, as in ParaView's window")
 arguments = parser.parse_args()
 if arguments.plugin:
-    LoadPlugin(arguments.plugin, remote=False, ns=globals())
+    LoadPlugin(os.path.abspath(arguments.plugin), remote=False, ns=globals())
 
 here = os.path.dirname(os.path.abspath(__file__))
 streamlines = trace(os.path.join(here, "..", "..", "Testing", "Data", "carotid.vti"))
 view = GetActiveViewOrCreate("RenderView")
+if arguments.output:
+    view.ViewSize = [1024, 768]  # larger pictures than the view's are drawn in tiles
 draw(streamlines, arguments.representation, view)
 view.CameraFocalPoint = [0.0, 0.0, 0.0]
 view.CameraPosition = [0.3, -0.9, 0.35]
@@ -65,4 +67,4 @@ ResetCamera(view)
 GetActiveCamera().Zoom(1.3)
 Render(view)
 if arguments.output:
-    SaveScreenshot(arguments.output, view, ImageResolution=[1024, 768])
+    SaveScreenshot(arguments.output, view)

@@ -5,7 +5,7 @@
 # Makes a Debian root that holds ParaView and what building a plugin for it takes, since ParaView's
 # packages and VTK's own cannot be installed beside each other. A root that is complete is left alone.
 #   bash Module/ParaView/make_root.sh 5.13|6.1 DIRECTORY
-# Needs root's rights, about 5 minutes and 4 GB.
+# Needs root's rights, about 5 minutes and 5 GB.
 set -euo pipefail
 
 version=${1:?"which ParaView: 5.13 or 6.1"}

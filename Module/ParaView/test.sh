@@ -24,3 +24,4 @@ bash "$here/run_in_root.sh" "$root" bash -euo pipefail -c '
   xvfb-run -a -s "-screen 0 1280x1024x24 +extension GLX -noreset" \
     ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" "$@"
 ' bash "$build" "$@"
+echo "The plugin is in $root$build/lib/paraview-$version/plugins/LineSets"
