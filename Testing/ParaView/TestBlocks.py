@@ -7,6 +7,7 @@ import os
 
 import linesets_testing as testing
 from paraview import simple
+from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import (vtkMultiBlockDataSet, vtkPartitionedDataSet,
                                            vtkPartitionedDataSetCollection, vtkPolyData)
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -18,13 +19,18 @@ SPHERE = 2  # of the places in which something is, the one with polygons
 
 
 def make_parts():
-    """Things at x = 0, 3, 6, 9: lines, lines without Height, a sphere, lines."""
+    """Things at x = 0, 3, 6, 9: lines with field data Tag, lines without Height, a sphere, lines."""
     bare = testing.make_helices(10, shift=3.0)
     bare.GetPointData().RemoveArray("Height")
     sphere = vtkSphereSource()
     sphere.SetCenter(6.0, 0.0, 1.0)
     sphere.Update()
-    return [testing.make_helices(10), bare, sphere.GetOutput(), testing.make_helices(10, shift=9.0)]
+    tag = vtkDoubleArray()
+    tag.SetName("Tag")
+    tag.InsertNextValue(1.0)
+    tagged = testing.make_helices(10)
+    tagged.GetFieldData().AddArray(tag)
+    return [tagged, bare, sphere.GetOutput(), testing.make_helices(10, shift=9.0)]
 
 
 def write(data, writer, name):
@@ -134,6 +140,20 @@ for name in REPRESENTATIONS:
     _, colors = find_drawn(view)
     testing.check(abs(colors[0] - colors[1]).max() > 50.0,
                   "%s: colours of blocks differ: %s" % (name, colors))
+
+    messages.take()
+    simple.ColorBy(display, ("FIELD", "Tag"))
+    table = simple.GetColorTransferFunction("Tag")
+    table.NanColor = [0.0, 1.0, 0.0]
+    table.RGBPoints = [0.0, 1.0, 0.0, 0.0, 2.0, 1.0, 0.0, 0.0]
+    _, colors = find_drawn(view)
+    testing.check(colors[0][0] > colors[0][1] + 50.0, "%s, Tag: red: %s" % (name, colors[0]))
+    testing.check(colors[1][1] > colors[1][0] + 50.0, "%s, no Tag: green: %s" % (name, colors[1]))
+    said = messages.take()
+    testing.check(len(said) == 1 and '1 of 2 visible blocks have no array "Tag"' in said[0],
+                  "%s: partial field data are told once: %s" % (name, said))
+    # The next representation begins without.
+    simple.ColorBy(display, ("FIELD", "vtkBlockColors"))
 
     # What is not supported.
     messages.take()

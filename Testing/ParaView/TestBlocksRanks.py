@@ -42,10 +42,15 @@ def open_blocks(blocks, name):
     return simple.XMLMultiBlockDataReader(FileName=[path])
 
 
-def show(source, view, association, array, largest):
+def show(source, view):
     display = simple.Show(source, view)
     display.BlockSelectors = ["/"]
-    table = testing.color_by(display, association, array, 0.0, largest)
+    # Not by ColorBy(), which does something else on ranks that do not have the array.
+    table = simple.GetColorTransferFunction("Height")
+    table.ColorSpace = "RGB"
+    table.RGBPoints = [0.0, 0.2, 0.4, 0.9, 1.0, 0.9, 0.9, 0.9, 2.0, 0.9, 0.3, 0.1]
+    display.ColorArrayName = ["POINTS", "Height"]
+    display.LookupTable = table
     table.NanColor = [0.1, 0.9, 0.2]
     display.Radius = 0.02
     display.Resolution = 64
@@ -65,7 +70,7 @@ view.CameraViewUp = [0.0, 0.0, 1.0]
 view.CameraFocalPoint = [0.0, 0.0, 1.0]
 
 partial = open_blocks(make_blocks(), "partial")
-display = show(partial, view, "POINTS", "Height", 2.0)
+display = show(partial, view)
 for name, opacities in KINDS:
     display.Representation = name
     messages.take()
