@@ -54,7 +54,10 @@ struct Functions
 #include "glsl/vtkLineReflection.glsl"
 
   // No shadows.
-  static Real lightVisibility(int) { return Real(1); }
+  static Real lightVisibility(int)
+  {
+    return Real(1);
+  }
 
 #include "glsl/vtkLineLighting.glsl"
 };
