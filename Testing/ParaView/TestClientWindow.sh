@@ -30,14 +30,14 @@ done
 PYTHONPATH=$here paraview --script="$here/client_window.py" >window.log 2>&1 &
 client=$!
 trap 'kill $client 2>/dev/null || true' EXIT
-for _ in $(seq 120); do
+for _ in $(seq 300); do
   if [ -e window.ready ] || ! kill -0 $client 2>/dev/null; then
     break
   fi
   sleep 0.5
 done
 if [ ! -e window.ready ]; then
-  echo "FAILED: the client did not draw within a minute; see window.png"
+  echo "FAILED: the client did not draw within minutes; see window.png"
   import -window root window.png
   cat window.log
   exit 1
