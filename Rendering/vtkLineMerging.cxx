@@ -4,6 +4,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
+#include "vtkLineSetsStretchPrivate.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -200,22 +201,8 @@ double vtkLineMerging::GetLength(double pixels, const double bounds[6], vtkMatri
       std::max(largestSlope2, (view[0] * view[0] + view[1] * view[1]) / (view[2] * view[2]));
   }
   const bool isPerspective = clipFromView->GetElement(3, 2) != 0.0;
-  double linear[3][3];
-  for (int i = 0; i < 9; ++i)
-  {
-    linear[i / 3][i % 3] = viewFromData->GetElement(i / 3, i % 3);
-  }
-  double u[3][3];
-  double stretch[3];
-  double v[3][3];
-  vtkMath::SingularValueDecomposition3x3(linear, u, stretch, v);
-  double largestStretch = 0.0;
-  for (double s : stretch)
-  {
-    largestStretch = std::max(largestStretch, std::abs(s));
-  }
   const double pixelsPerUnit = (isPerspective ? std::sqrt(1.0 + largestSlope2) : 1.0) *
-    largestStretch * 0.5 *
+    vtkLineSetsGetLargestStretch(viewFromData) * 0.5 *
     std::max(std::abs(clipFromView->GetElement(0, 0)) * viewportSize[0],
       std::abs(clipFromView->GetElement(1, 1)) * viewportSize[1]);
   const double length = pixels * smallestW / pixelsPerUnit;

@@ -248,17 +248,7 @@ void vtkVoxelLineMapper::SetInteriorTolerance(double tolerance)
 //------------------------------------------------------------------------------
 void vtkVoxelLineMapper::SetRegion(const double region[6])
 {
-  if (std::any_of(region, region + 6, [](double side) { return std::isnan(side); }))
-  {
-    vtkErrorMacro(
-      "A side of Region is not a number. It must be one, or infinite where the region is "
-      "open; all sides stay as they are.");
-  }
-  else if (!std::equal(region, region + 6, this->Region))
-  {
-    std::copy_n(region, 6, this->Region);
-    this->Modified();
-  }
+  vtkLineSetsSetRegion(this, this->Region, region);
 }
 
 //------------------------------------------------------------------------------

@@ -19,17 +19,6 @@ def draw(view, name):
     return testing.take_picture(view, name)
 
 
-def show(source, view, representation):
-    display = simple.Show(source, view)
-    display.Representation = representation
-    display.ColorArrayName = ["POINTS", "Height"]
-    table = simple.GetColorTransferFunction("Height")
-    table.RGBPoints = [0.0, 0.0, 0.0, 1.0, 2.0, 1.0, 0.0, 0.0]
-    display.LookupTable = table
-    display.ImportanceArray = "Height"
-    return display
-
-
 testing.load_plugin()
 messages = testing.Messages()
 view = testing.make_view((150, 150))
@@ -51,7 +40,7 @@ alone = {}
 for representation in REPRESENTATIONS:
     for step, name in enumerate(files):
         reader = simple.XMLPolyDataReader(FileName=[name])
-        show(reader, view, representation)
+        testing.show_by_height(reader, view, representation)
         alone[representation, step] = draw(view, "TestAnimationAlone")
         simple.Delete(reader)
 
@@ -62,7 +51,7 @@ scene.UpdateAnimationUsingDataTimeSteps()
 for is_cached in (0, 1):
     settings.CacheGeometryForAnimation = is_cached
     for representation in REPRESENTATIONS:
-        show(series, view, representation)
+        testing.show_by_height(series, view, representation)
         for step in (0, 1, 2, 3, 1, 0, 2, 0):
             scene.AnimationTime = float(step)
             picture = draw(view, "TestAnimation")

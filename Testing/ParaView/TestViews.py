@@ -10,13 +10,7 @@ REPRESENTATIONS = ("Voxel Lines", "Illuminated Lines", "Fourier Opacity")
 
 
 def show(source, view, representation):
-    display = simple.Show(source, view)
-    display.Representation = representation
-    display.ColorArrayName = ["POINTS", "Height"]
-    table = simple.GetColorTransferFunction("Height")
-    table.RGBPoints = [0.0, 0.0, 0.0, 1.0, 2.0, 1.0, 0.0, 0.0]
-    display.LookupTable = table
-    display.ImportanceArray = "Height"
+    display = testing.show_by_height(source, view, representation)
     if representation == "Voxel Lines":
         display.Radius = 0.02
     return display

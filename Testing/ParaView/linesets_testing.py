@@ -81,6 +81,18 @@ def color_by(display, association, name, low, high):
     return table
 
 
+def show_by_height(source, view, representation):
+    """Shows helices by a representation, coloured by their height, which is what is important."""
+    display = simple.Show(source, view)
+    display.Representation = representation
+    display.ColorArrayName = ["POINTS", "Height"]
+    table = simple.GetColorTransferFunction("Height")
+    table.RGBPoints = [0.0, 0.0, 0.0, 1.0, 2.0, 1.0, 0.0, 0.0]
+    display.LookupTable = table
+    display.ImportanceArray = "Height"
+    return display
+
+
 def look_from(view, direction=(1.0, 0.6, 0.4), zoom=1.3):
     """Looks at the middle of everything from a direction that no helix or box is aligned with."""
     view.CameraFocalPoint = [0, 0, 0]

@@ -195,9 +195,3 @@ vtkPolyData* vtkLineSetsBlocks::Join(
   this->JoinTime.Modified();
   return this->Joined;
 }
-
-//------------------------------------------------------------------------------
-void vtkLineSetsBlocks::Release()
-{
-  *this = vtkLineSetsBlocks();
-}

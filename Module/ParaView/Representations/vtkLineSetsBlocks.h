@@ -58,9 +58,6 @@ public:
   /// One for each array in use that some blocks lack.
   const std::vector<Warning>& GetWarnings() const { return this->Warnings; }
 
-  /// Forget the result and what it was made of.
-  void Release();
-
 private:
   using Parts = std::vector<vtkSmartPointer<vtkPolyData>>;
 

@@ -5,7 +5,7 @@
 #include "vtkAppendPolyData.h"
 #include "vtkBoundingBox.h"
 #include "vtkLineSetsPieces.h"
-#include "vtkMath.h"
+#include "vtkLineSetsStretchPrivate.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -23,22 +23,6 @@ using Parts = std::vector<vtkSmartPointer<vtkPolyData>>;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int SizeTag = 73201;
 constexpr int PartTag = 73202;
-
-//------------------------------------------------------------------------------
-/// How much the matrix stretches lengths at most.
-double GetLargestStretch(vtkMatrix4x4* matrix)
-{
-  double linear[3][3];
-  for (int i = 0; i < 9; ++i)
-  {
-    linear[i / 3][i % 3] = matrix->GetElement(i / 3, i % 3);
-  }
-  double u[3][3];
-  double stretch[3];
-  double v[3][3];
-  vtkMath::SingularValueDecomposition3x3(linear, u, stretch, v);
-  return std::max({ std::abs(stretch[0]), std::abs(stretch[1]), std::abs(stretch[2]) });
-}
 
 //------------------------------------------------------------------------------
 bool IsEmpty(const Box& box)
@@ -205,7 +189,7 @@ vtkPolyData* vtkLineSetsDistribution::Distribute(vtkPolyData* lines, bool isChan
   this->Margin = margin;
 
   // In world coordinates, and some more for rounding.
-  const double reach = 1.001 * margin * GetLargestStretch(matrix);
+  const double reach = 1.001 * margin * vtkLineSetsGetLargestStretch(matrix);
   const vtkLineSetsPieces pieces(lines, matrix, BlockSize);
   this->NumberOfInvalidCells = pieces.GetNumberOfInvalidCells();
   Parts parts;

@@ -31,7 +31,7 @@
 
 #include "vtkLineMerging.h"
 #include "vtkSmartPointer.h"
-#include "vtkTimeStamp.h"
+#include "vtkType.h"
 
 #include <array>
 #include <vector>

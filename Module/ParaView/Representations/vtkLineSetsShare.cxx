@@ -13,6 +13,23 @@
 #include <algorithm>
 #include <limits>
 
+namespace
+{
+/// What a rank does not have, in a reduction to the largest value.
+constexpr double Nothing = std::numeric_limits<double>::lowest();
+
+//------------------------------------------------------------------------------
+/// Bounds of which all sides are those of a union where they are largest.
+void TurnBounds(const double bounds[6], double turned[6])
+{
+  for (int side = 0; side < 6; ++side)
+  {
+    const double value = side % 2 == 0 ? -bounds[side] : bounds[side];
+    turned[side] = bounds[0] <= bounds[1] ? value : Nothing;
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 void vtkLineSetsShare::SetView(vtkPVRenderView* view, bool isDetail)
 {
@@ -43,13 +60,8 @@ bool vtkLineSetsShare::HasExtent(vtkDataObject* data)
   {
     composite->GetBounds(bounds);
   }
-  // Both as largest values.
   double mine[6];
-  for (int side = 0; side < 6; ++side)
-  {
-    mine[side] = bounds[0] <= bounds[1] ? (side % 2 == 0 ? -bounds[side] : bounds[side])
-                                        : std::numeric_limits<double>::lowest();
-  }
+  TurnBounds(bounds, mine);
   double all[6];
   std::copy(mine, mine + 6, all);
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
@@ -57,8 +69,7 @@ bool vtkLineSetsShare::HasExtent(vtkDataObject* data)
   {
     controller->AllReduce(mine, all, 6, vtkCommunicator::MAX_OP);
   }
-  return all[0] > std::numeric_limits<double>::lowest() &&
-    (-all[0] < all[1] || -all[2] < all[3] || -all[4] < all[5]);
+  return all[0] > Nothing && (-all[0] < all[1] || -all[2] < all[3] || -all[4] < all[5]);
 }
 
 //------------------------------------------------------------------------------
@@ -70,18 +81,11 @@ vtkPolyData* vtkLineSetsShare::Complete(vtkPolyData* lines, const std::vector<st
 //------------------------------------------------------------------------------
 vtkLineSetsShare::Measures vtkLineSetsShare::Reduce(const Measures& measures, vtkPolyData* lines)
 {
-  // All as largest values; what a rank does not have counts for nothing.
-  constexpr double none = std::numeric_limits<double>::lowest();
   double mine[10];
-  const bool hasBounds = measures.Bounds[0] <= measures.Bounds[1];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    mine[2 * axis] = hasBounds ? -measures.Bounds[2 * axis] : none;
-    mine[2 * axis + 1] = hasBounds ? measures.Bounds[2 * axis + 1] : none;
-  }
+  TurnBounds(measures.Bounds, mine);
   const bool hasRange = measures.AttributeRange[0] <= measures.AttributeRange[1];
-  mine[6] = hasRange ? -measures.AttributeRange[0] : none;
-  mine[7] = hasRange ? measures.AttributeRange[1] : none;
+  mine[6] = hasRange ? -measures.AttributeRange[0] : Nothing;
+  mine[7] = hasRange ? measures.AttributeRange[1] : Nothing;
   mine[8] = measures.MaximumRadius;
   mine[9] = this->Distribution.IsChanged(lines) ? 1.0 : 0.0;
 
@@ -89,7 +93,7 @@ vtkLineSetsShare::Measures vtkLineSetsShare::Reduce(const Measures& measures, vt
   this->Controller->AllReduce(mine, all, 10, vtkCommunicator::MAX_OP);
 
   Measures shared;
-  if (all[1] > none)
+  if (all[1] > Nothing)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -97,7 +101,7 @@ vtkLineSetsShare::Measures vtkLineSetsShare::Reduce(const Measures& measures, vt
       shared.Bounds[2 * axis + 1] = all[2 * axis + 1];
     }
   }
-  if (all[7] > none)
+  if (all[7] > Nothing)
   {
     shared.AttributeRange[0] = -all[6];
     shared.AttributeRange[1] = all[7];

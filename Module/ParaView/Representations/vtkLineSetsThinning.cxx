@@ -176,9 +176,3 @@ vtkDataObject* vtkLineSetsThinning::Thin(vtkDataObject* data, double resolution)
   this->ThinTime.Modified();
   return this->Thinned;
 }
-
-//------------------------------------------------------------------------------
-void vtkLineSetsThinning::Release()
-{
-  *this = vtkLineSetsThinning();
-}

@@ -30,9 +30,6 @@ public:
   /// A data set of the same structure with fewer lines in each leaf.
   vtkDataObject* Thin(vtkDataObject* data, double resolution);
 
-  /// Forget the result and what it was made of.
-  void Release();
-
 private:
   vtkSmartPointer<vtkDataObject> Data;
   vtkSmartPointer<vtkDataObject> Thinned;
