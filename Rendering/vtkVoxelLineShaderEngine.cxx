@@ -299,6 +299,10 @@ bool vtkVoxelLineShaderEngine::Internals::BindTargets(vtkOpenGLRenderWindow* win
   this->Framebuffer->Bind();
   this->Framebuffer->AddColorAttachment(0, this->Color);
   this->Framebuffer->AddColorAttachment(1, this->Depth);
+  // VTK's state takes draw buffers after the first one for those of the framebuffer bound before,
+  // which depth peeling and order-independent translucency have several of, and would not set what
+  // it takes for set: depth would stay undefined.
+  this->Framebuffer->DeactivateDrawBuffers();
   this->Framebuffer->ActivateDrawBuffers(2);
   const unsigned int status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)

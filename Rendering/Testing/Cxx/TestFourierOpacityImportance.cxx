@@ -49,8 +49,9 @@ std::vector<Shape> MakeShapes(Kind kind, const std::vector<double>& importance, 
     shape.Importance = importance[i];
     if (kind == Points)
     {
-      // Pixels 12 + 5 i to 27 + 5 i.
-      const double low = -1.0 + (8.0 + 5.0 * i) / 32.0;
+      // Pixels 8 + 5 i to 23 + 5 i, and a quarter of one: no edge goes through the middle of a pixel,
+      // at reduced resolution neither, where devices differ.
+      const double low = -1.0 + (8.25 + 5.0 * i) / 32.0;
       const double high = low + 15.0 / 32.0;
       shape.Covers = [low, high](double x, double y)
       { return x > low && x < high && y > low && y < high; };

@@ -26,7 +26,7 @@ void CheckViewports(Checks& check, const Method& method)
   stage.Renderer->SetViewport(0.5, 30.0 / (Size + 30), 1.0, 1.0);
   vtkNew<vtkRenderer> left;
   left->SetViewport(0.0, 0.0, 0.5, 1.0);
-  left->SetBackground(0.1, 0.2, 0.4);
+  left->SetBackground(26.0 / 255.0, 0.2, 0.4);
   left->AddActor(stage.Actor);
   vtkNew<vtkCamera> camera;
   camera->DeepCopy(stage.Renderer->GetActiveCamera());

@@ -63,7 +63,7 @@ void CheckViewports(Checks& check)
   stage.Renderer->SetViewport(0.5, 1.0 / 3.0, 1.0, 1.0);
   vtkNew<vtkRenderer> left;
   left->SetViewport(0.0, 0.0, 0.5, 2.0 / 3.0);
-  left->SetBackground(0.1, 0.2, 0.4);
+  left->SetBackground(26.0 / 255.0, 0.2, 0.4);
   stage.Window->AddRenderer(left);
   left->SetActiveCamera(stage.Renderer->GetActiveCamera());
   const std::vector<Square> other = MakeSquares(3, 5, 120);

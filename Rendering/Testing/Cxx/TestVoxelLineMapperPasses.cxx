@@ -129,15 +129,19 @@ void CheckOpaqueLines(Checks& check, Pass pass)
   }
 }
 
-// Two translucent actors: exact with depth peeling.
-void CheckTwoTranslucentActors(Checks& check)
+// Two translucent actors: exact with depth peeling. The first picture counts, drawn while a framebuffer
+// of several targets is bound.
+void CheckTwoTranslucentActors(Checks& check, int engine)
 {
   const std::array<int, 3> red{ 255, 0, 0 };
   const std::array<int, 3> white{ 255, 255, 255 };
+  const std::string name =
+    engine == vtkVoxelLineMapper::Shader ? "shader engine" : "native engine";
   for (double z : { 1.0, -1.0 })
   {
     Stage stage;
     auto mapper = MakeMapper(MakeBars(z, z), 0.1);
+    mapper->SetEngine(engine);
     auto actor = stage.Add(mapper, 0.5);
     actor->GetProperty()->SetColor(1.0, 0.0, 0.0);
     actor->GetProperty()->LightingOff();
@@ -152,8 +156,8 @@ void CheckTwoTranslucentActors(Checks& check)
     const auto walls = [&](const std::array<int, 3>& behind) { return Mix(white, behind, 0.64); };
     const auto expected = z > 0.0 ? bars(walls(Background)) : walls(bars(Background));
     check(IsNear(center, expected, 4),
-      "peeling, translucent bars at " + std::to_string(z) + Describe(center));
-    check(mapper->GetNumberOfPictures() == 1, "several peels, one picture");
+      name + ", peeling, translucent bars at " + std::to_string(z) + Describe(center));
+    check(mapper->GetNumberOfPictures() == 1, name + ": several peels, one picture");
   }
 }
 
@@ -210,7 +214,10 @@ int TestVoxelLineMapperPasses(int, char*[])
     CheckTransparentLinesAndOpaqueSphere(check, pass);
     CheckOpaqueLines(check, pass);
   }
-  CheckTwoTranslucentActors(check);
+  for (int engine : { vtkVoxelLineMapper::Native, vtkVoxelLineMapper::Shader })
+  {
+    CheckTwoTranslucentActors(check, engine);
+  }
   CheckForcedPasses(check);
   CheckMultisampling(check, Independent);
   CheckMultisampling(check, Plain);

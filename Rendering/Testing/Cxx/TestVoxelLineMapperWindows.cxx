@@ -75,7 +75,7 @@ void CheckViewports(Checks& check, vtkPolyData* lines, double opacity, bool peel
   stage.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
   vtkNew<vtkRenderer> right;
   right->SetViewport(0.5, 0.0, 1.0, 1.0);
-  right->SetBackground(0.1, 0.2, 0.4);
+  right->SetBackground(26.0 / 255.0, 0.2, 0.4);
   stage.Window->AddRenderer(right);
   for (vtkRenderer* renderer : { stage.Renderer.Get(), right.Get() })
   {

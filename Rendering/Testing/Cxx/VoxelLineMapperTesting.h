@@ -307,7 +307,7 @@ struct Stage
     this->Window->SetMultiSamples(0);
     this->Window->SetSize(width, height);
     this->Window->AddRenderer(this->Renderer);
-    this->Renderer->SetBackground(0.1, 0.2, 0.4);
+    this->Renderer->SetBackground(26.0 / 255.0, 0.2, 0.4);
   }
 
   Picture Render()

@@ -90,7 +90,7 @@ struct LitStage : Stage
     camera->SetPosition(2.4, 1.6, 2.8);
     camera->SetFocalPoint(0.0, 0.0, 0.0);
     camera->SetClippingRange(1.5, 7.0);
-    renderer->SetBackground(0.1, 0.2, 0.4);
+    renderer->SetBackground(26.0 / 255.0, 0.2, 0.4);
   }
 };
 
