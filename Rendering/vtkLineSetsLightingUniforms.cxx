@@ -78,6 +78,7 @@ std::string vtkLineSetsLightingUniforms::GetSource(const vtkLineSetsLighting& li
   constant("bool", "HalfwayReflection", lighting.Reflection == vtkLineIllumination::Blinn ? 1 : 0);
   constant("bool", "StretchRange", lighting.StretchDynamicRange ? 1 : 0);
   constant("bool", "TabulatedMeans", lighting.Table ? 1 : 0);
+  os << (lighting.Table ? "#define LineSetsHasPowerMeans\n" : "");
   os << vtkLineLightingUniforms << vtkLineReflection << vtkLineLighting;
   return os.str();
 }

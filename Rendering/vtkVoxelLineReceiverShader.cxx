@@ -9,6 +9,7 @@
 #include "vtkVoxelLineLightFields.h"
 
 #include "vtkVoxelLineDensity.h"
+#include "vtkVoxelLineFields.h"
 #include "vtkVoxelLineReceiver.h"
 #include "vtkVoxelLineReceiverFetch.h"
 #include "vtkVoxelLineReceiverFragment.h"
@@ -259,8 +260,10 @@ std::string vtkVoxelLineReceiverShader::GetSource() const
   constant("Occlusion", static_cast<std::size_t>(this->Global.Occlusion));
   constant("DensityLevels", static_cast<std::size_t>(this->DensityLevels));
   constant("ReceivedLights", this->Global.Lights.size());
-  os << vtkVoxelLineReceiverFetch << vtkVoxelLineDensity << vtkVoxelLineSoftLight
-     << vtkVoxelLineReceiver << "#endif\n";
+  os << (this->Global.Densities ? "#define LineSetsHasDensities\n" : "")
+     << (this->Global.SphericalOcclusion ? "#define LineSetsHasOcclusion\n" : "");
+  os << vtkVoxelLineReceiverFetch << vtkVoxelLineFields << vtkVoxelLineDensity
+     << vtkVoxelLineSoftLight << vtkVoxelLineReceiver << "#endif\n";
   return os.str();
 }
 

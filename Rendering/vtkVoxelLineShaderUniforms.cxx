@@ -42,7 +42,6 @@ std::string vtkVoxelLineShaderUniforms::MakeConstants(
   constant("bool", "ThinTubes", frame.ThinTubes ? 1 : 0);
   constant("bool", "NarrowTubes", frame.NarrowTubes ? 1 : 0);
   constant("bool", "LitAsLines", frame.LitAsLines ? 1 : 0);
-  constant("bool", "HasScene", hasScene ? 1 : 0);
   constant("int", "Shadows", frame.Global.Shadows);
   constant("int", "Occlusion", frame.Global.Occlusion);
   constant("bool", "Accelerating", frame.IsAccelerated() && frame.Global.Densities ? 1 : 0);
@@ -50,6 +49,12 @@ std::string vtkVoxelLineShaderUniforms::MakeConstants(
     frame.Global.Densities ? frame.Global.Densities->GetNumberOfLevels() : 0);
   constant("bool", "SecondaryRays", frame.SecondaryRays || frame.LevelRays ? 1 : 0);
   constant("bool", "LevelRays", hasLevel ? 1 : 0);
+  const auto define = [&os](const char* name, bool has)
+  { os << (has ? std::string("#define ") + name + "\n" : std::string()); };
+  define("LineSetsHasScene", hasScene);
+  define("LineSetsHasLevel", hasLevel);
+  define("LineSetsHasDensities", frame.Global.Densities != nullptr);
+  define("LineSetsHasOcclusion", frame.Global.SphericalOcclusion != nullptr);
   os << "float lightVisibility(int i);\n" << vtkLineSetsLightingUniforms::GetSource(frame.Light);
   return os.str();
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the traversal asks of an engine, for a fragment shader: settings as uniforms, the model
-// in texture buffers. The tag below is replaced by the constants of the frame's kind.
+// in texture buffers. The tag below is replaced by the constants of the frame's kind, which define
+// what there are textures for: see vtkVoxelLineFields.glsl.
 
 #define Real float
 #define LS_OUT(T) out T
@@ -50,7 +51,9 @@ uniform usamplerBuffer BrickCurves;
 uniform samplerBuffer Attributes;
 uniform samplerBuffer Radii;
 uniform samplerBuffer ColorTable;
+#ifdef LineSetsHasScene
 uniform sampler2D SceneDepth;
+#endif
 
 // Shadows and ambient occlusion.
 uniform vec4 LocalLights[MaximumLights];
@@ -60,21 +63,9 @@ uniform float OcclusionRadius;
 uniform int OcclusionSamples;
 uniform float OcclusionStrength;
 uniform float Extinction;
-uniform int DensityStarts[32];
-uniform samplerBuffer Densities;
-uniform samplerBuffer OcclusionOfVoxels;
 
-float fetchDensity(int level, int i)
-{
-  return texelFetch(Densities, DensityStarts[level] + i).r;
-}
-
-float fetchOcclusion(int i)
-{
-  return texelFetch(OcclusionOfVoxels, i).r;
-}
-
-// The model of a level.
+// The model of a level; where there is none, its samplers are those of the model.
+#ifdef LineSetsHasLevel
 uniform vec3 LevelGridSize;
 uniform vec3 LevelBrickGridSize;
 uniform float LevelScale;
@@ -84,6 +75,17 @@ uniform usamplerBuffer LevelVoxelStarts;
 uniform usamplerBuffer LevelSegments;
 uniform samplerBuffer LevelAttributes;
 uniform samplerBuffer LevelRadii;
+#else
+const vec3 LevelGridSize = vec3(0.0);
+const vec3 LevelBrickGridSize = vec3(0.0);
+const float LevelScale = 1.0;
+#define LevelBrickGrid BrickGrid
+#define LevelBricks Bricks
+#define LevelVoxelStarts VoxelStarts
+#define LevelSegments Segments
+#define LevelAttributes Attributes
+#define LevelRadii Radii
+#endif
 
 // Of the model that is fetched from.
 ivec3 GridDimensions;

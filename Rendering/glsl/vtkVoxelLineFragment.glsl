@@ -10,7 +10,11 @@ void main()
 {
   beginModel();
   ivec2 pixel = ivec2(texCoord * PictureSize);
-  float sceneDepth = HasScene ? texelFetch(SceneDepth, pixel, 0).r : 1.0;
+#ifdef LineSetsHasScene
+  float sceneDepth = texelFetch(SceneDepth, pixel, 0).r;
+#else
+  float sceneDepth = 1.0;
+#endif
   vec4 color;
   float depth;
   castPixel(float(pixel.x) + 0.5, float(pixel.y) + 0.5, sceneDepth, color, depth);

@@ -20,10 +20,7 @@ uniform float OcclusionRadius;
 uniform int OcclusionSamples;
 uniform float OcclusionStrength;
 uniform float Extinction;
-uniform int DensityStarts[32];
 uniform isamplerBuffer BrickGrid;
-uniform samplerBuffer Densities;
-uniform samplerBuffer OcclusionOfVoxels;
 uniform mat4 LocalFromView;
 uniform mat3 LocalNormalFromView;
 
@@ -33,14 +30,4 @@ ivec3 BrickDimensions;
 int fetchBrickGrid(int cell)
 {
   return texelFetch(BrickGrid, cell).r;
-}
-
-float fetchDensity(int level, int i)
-{
-  return texelFetch(Densities, DensityStarts[level] + i).r;
-}
-
-float fetchOcclusion(int i)
-{
-  return texelFetch(OcclusionOfVoxels, i).r;
 }

@@ -49,10 +49,11 @@ std::vector<Shape> MakeShapes(Kind kind, const std::vector<double>& importance, 
     shape.Importance = importance[i];
     if (kind == Points)
     {
-      // Pixels 8 + 5 i to 23 + 5 i, and a quarter of one: no edge goes through the middle of a pixel,
-      // at reduced resolution neither, where devices differ.
+      // Pixels 8 + 5 i to 24 + 5 i, and a quarter of one: no edge goes through the middle of a
+      // pixel, at reduced resolution neither, and sizes are whole there, too, since devices may
+      // round them.
       const double low = -1.0 + (8.25 + 5.0 * i) / 32.0;
-      const double high = low + 15.0 / 32.0;
+      const double high = low + 16.0 / 32.0;
       shape.Covers = [low, high](double x, double y)
       { return x > low && x < high && y > low && y < high; };
       shape.Alone[0] = low + 2.0 / 32.0;
@@ -109,7 +110,7 @@ vtkSmartPointer<vtkPolyData> MakeData(Kind kind, const std::vector<Shape>& shape
         add({ { -a * c, -a * s, z }, { a * c, a * s, z } }, shape.Importance);
         break;
       default:
-        add({ { shape.Alone[0] + 5.5 / 32.0, shape.Alone[1] - 5.5 / 32.0, z } }, shape.Importance);
+        add({ { shape.Alone[0] + 6.0 / 32.0, shape.Alone[1] - 6.0 / 32.0, z } }, shape.Importance);
         break;
     }
   }
@@ -211,7 +212,7 @@ struct Scene : OpacityStage
     : OpacityStage(Size, Size)
   {
     this->Renderer->SetBackground(0.0, 0.0, 0.0);
-    this->Actor->GetProperty()->SetPointSize(15.0);
+    this->Actor->GetProperty()->SetPointSize(16.0);
     // As wide as the blades.
     this->Actor->GetProperty()->SetLineWidth(static_cast<float>(Size * HalfWidth));
     this->Mapper->SetNumberOfPatches(1);
