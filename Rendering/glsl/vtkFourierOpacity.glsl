@@ -125,10 +125,12 @@ Real fourierSum(Real d, LS_OUT(Real) ownShare)
 }
 
 // Sum of the values of the other fragments in front of a fragment of a value, from fourierSum() at
-// its depth: never below 0 or above what the others have in all.
+// its depth: never below 0 or above what the others have in all. Sums too large for half floats are
+// infinite, and a series of them may be no number: then nothing counts as in front.
 Real fourierFront(Real sum, Real ownShare, Real value, Real total)
 {
-  return clamp(sum - ownShare * value, Real(0), max(total - value, Real(0)));
+  Real front = sum - ownShare * value;
+  return front > Real(0) ? min(front, max(total - value, Real(0))) : Real(0);
 }
 
 // Optimal opacity of a fragment of importance g, from the sums of the squared importance of the

@@ -143,7 +143,7 @@ SCENE or --scene SCENE   )"
 --importance-reduction N importance is summed for one of N pixels of a row and of a column, 1 to 8
                          (default 2)
 --depth-reduction N      the same for the optical depth of fourier (default 1)
---half-floats SWITCH     on or off (default): sums of fourier, but for the optical depth of a pixel,
+--half-floats SWITCH     on (default) or off: sums of fourier, but for the optical depth of a pixel,
                          and colours have 2 bytes in place of 4
 --depth-scale SCALE      linear (default) or logarithmic: how series and bins divide the depth
 --tight-depth SWITCH     on (default) or off, for fourier: whether the series of a pixel's optical

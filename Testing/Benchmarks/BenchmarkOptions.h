@@ -30,7 +30,7 @@ struct OpacityOptions
   std::string ImportanceSums = "fourier"; ///< or exact
   int ImportanceReduction = 2;            ///< pixels of a side for a sum of importance, 1 to 8
   int DepthReduction = 1;                 ///< the same for a sum of optical depth
-  bool HalfFloats = false;                ///< whether sums of fourier have 2 bytes
+  bool HalfFloats = true;                 ///< whether sums of fourier have 2 bytes
   std::string DepthScale = "linear";      ///< or logarithmic
   bool TightDepth = true;                 ///< whether each pixel has its own range of depths
   double OpaqueThreshold = 0.98;          ///< from which on fragments hide, 0.5 to 1

@@ -10,6 +10,8 @@
 
 #include <glm/glm.hpp>
 
+#include <limits>
+
 using namespace FourierOpacityTesting;
 
 namespace ShaderTesting
@@ -343,6 +345,16 @@ void CheckColorErrors(Checks& check)
     check(low.CosineSeries < 1.1 * low.Paper + 1e-4, name + "low opacity");
   }
 }
+
+// Half floats may be infinite.
+void CheckInfiniteSums(Checks& check)
+{
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Pixel<double, Cosines, 11> pixel;
+  check(pixel.fourierFront(infinite, 0.5, 2.0, 10.0) == 8.0, "an infinite sum: all others");
+  check(pixel.fourierFront(-infinite, 0.5, 2.0, 10.0) == 0.0, "minus infinity: nothing");
+  check(pixel.fourierFront(infinite - infinite, 0.5, 2.0, 10.0) == 0.0, "no number: nothing");
+}
 }
 
 int TestFourierOpacityFunctions(int, char*[])
@@ -363,5 +375,6 @@ int TestFourierOpacityFunctions(int, char*[])
   CheckOptimalOpacity<float>(check);
   CheckOptimalOpacity<double>(check);
   CheckColorErrors(check);
+  CheckInfiniteSums(check);
   return check.GetResult();
 }

@@ -36,7 +36,7 @@ struct Memory
   }
 };
 
-constexpr Memory Memories[] = { { 1, true }, { 2, false }, { 3, true } };
+constexpr Memory Memories[] = { { 1, true }, { 1, false }, { 2, false }, { 3, true } };
 
 // Squares reach well beyond the pixels that share sums with the one that is looked at.
 void CheckFormulas(Checks& check)
@@ -190,6 +190,24 @@ void CheckFaintLayers(Checks& check)
   }
 }
 
+// Of so many opaque layers sums are infinite in half floats: the colour of all is that of each.
+void CheckInfiniteSums(Checks& check)
+{
+  for (int layers : { 8000, 30000 })
+  {
+    std::vector<Square> squares = MakeSquares(layers, 250, 255);
+    for (Square& square : squares)
+    {
+      square.HalfSize = 0.9;
+      square.Color = { 240, 120, 30, 255 };
+    }
+    OpacityStage stage(8, 8);
+    stage.GetOptimization()->SetOpaqueThreshold(1.0);
+    CheckColor(check, std::to_string(layers) + " opaque layers",
+      stage.Render(MakeStack(squares)).At(4, 4), { 240.0, 120.0, 30.0 }, Tolerance);
+  }
+}
+
 vtkIdType Reduce(int size, int reduction)
 {
   return (size + reduction - 1) / reduction;
@@ -260,6 +278,7 @@ int TestFourierOpacityMemory(int, char*[])
   CheckOwnOpacity(check);
   CheckCoverage(check);
   CheckFaintLayers(check);
+  CheckInfiniteSums(check);
   CheckBytes(check);
   return check.GetResult();
 }

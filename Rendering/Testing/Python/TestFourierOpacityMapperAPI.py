@@ -23,7 +23,7 @@ defaults = {
     "Subset": 1,
     "ImportanceReduction": 2,
     "DepthReduction": 1,
-    "HalfFloats": False,
+    "HalfFloats": True,
     "Blending": vtkOpacityOptimization.Fourier,
     "Importance": vtkOpacityOptimization.SeriesImportance,
     "DepthScale": vtkOpacityOptimization.LinearDepth,
@@ -52,9 +52,9 @@ own.SetBlendingToFourier()
 own.TightDepthOff()
 assert not own.GetTightDepth()
 own.TightDepthOn()
-own.HalfFloatsOn()
-assert own.GetHalfFloats()
 own.HalfFloatsOff()
+assert not own.GetHalfFloats()
+own.HalfFloatsOn()
 
 # May be shared; None brings one of its own back; a picture depends on it.
 other = vtkFourierOpacityMapper()
@@ -125,7 +125,7 @@ def is_near(color, expected):
 
 
 assert is_near(read_pixel(), (255, 5, 5)), read_pixel()
-assert mapper.GetNumberOfSumBytes() == 60 * 60 * 4 * 11
+assert mapper.GetNumberOfSumBytes() == 60 * 60 * (4 + 2 * 10)
 assert mapper.GetNumberOfBytes() > mapper.GetNumberOfSumBytes()
 own.SetForegroundWeight(0.0)
 assert is_near(read_pixel(), (255, 255, 255)), read_pixel()
