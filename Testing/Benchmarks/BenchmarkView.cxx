@@ -49,7 +49,9 @@ void PlaceCamera(const BenchmarkInput& input, int frame)
   camera->SetViewUp(0.0, 0.0, 1.0);
   camera->Azimuth(DegreesPerFrame * frame);
   camera->OrthogonalizeViewUp();
-  camera->Zoom(input.Options.Zoom);
+  // vtkCamera::Zoom() divides the angle, which would be a half turn and more for small zooms.
+  camera->SetViewAngle(
+    2.0 * vtkMath::DegreesFromRadians(std::atan(std::tan(halfAngle) / input.Options.Zoom)));
   camera->SetClippingRange(
     std::max(0.01 * distance, distance - 1.01 * reach), distance + 1.01 * reach);
 }
