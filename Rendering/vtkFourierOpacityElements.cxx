@@ -67,6 +67,13 @@ bool vtkFourierOpacityElements::IsGroup(
 }
 
 //------------------------------------------------------------------------------
+bool vtkFourierOpacityElements::AreKnown() const
+{
+  return std::none_of(this->States.begin(), this->States.end(),
+    [](const std::unique_ptr<State>& state) { return state->IsNew; });
+}
+
+//------------------------------------------------------------------------------
 void vtkFourierOpacityElements::Update(
   const std::vector<float>& smallest, int shift, int iterations, double blend)
 {

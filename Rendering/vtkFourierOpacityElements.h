@@ -50,6 +50,9 @@ public:
   std::size_t GetNumberOfGroups() const { return this->States.size(); }
   vtkIdType GetFirstElement(std::size_t group) const { return this->States[group]->First; }
 
+  /// Whether each element has an opacity from a picture before.
+  bool AreKnown() const;
+
   /// Whether these are the elements of a group.
   bool IsGroup(std::size_t group, const vtkFourierOpacityGroup& elements) const;
 

@@ -49,6 +49,10 @@ struct vtkFourierOpacityFrame
   /// Set what the program in use asks for.
   void SetParameters(vtkShaderProgram* program) const;
 
+  /// Whether opacities follow from this picture: not in one of those that follow the first one in a
+  /// sum, nor where they are kept.
+  bool FindsOpacities() const { return this->Number <= 0 && !this->KeepsOpacities; }
+
   /// Draw all items.
   void DrawStage(vtkFourierOpacityStage& stage);
 
@@ -76,6 +80,9 @@ struct vtkFourierOpacityFrame
   bool HasPicture = true;
   /// Number of pictures in the sum before this one; -1 where pictures are not summed up.
   int Number = -1;
+  /// Whether opacities stay as they are: a tile shows too little to find those of the whole
+  /// picture.
+  bool KeepsOpacities = false;
   float MeanFactor = 1.0f;
   float Shift[2] = { 0.0f, 0.0f };
   /// Pixel of the framebuffer on which the picture's first one falls.

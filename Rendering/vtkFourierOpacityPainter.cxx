@@ -115,9 +115,12 @@ void vtkFourierOpacityPainter::PrepareView(View& view, vtkFourierOpacityFrame& f
     frame.Shift[0] = static_cast<float>(2.0 * offset.x / frame.Now.Size[0]);
     frame.Shift[1] = static_cast<float>(2.0 * offset.y / frame.Now.Size[1]);
   }
-  view.Last = frame.Now;
-  view.HasLast = true;
-  view.Time = time;
+  if (!frame.KeepsOpacities)
+  {
+    view.Last = frame.Now;
+    view.HasLast = true;
+    view.Time = time;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -225,6 +228,9 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
   view.Elements.SetGroups(groups);
   vtkFourierOpacityFrame frame(renderer, items, optimization, drawItem, now, view.Elements);
   frame.HasPicture = destination == Picture;
+  const int* tiles = window->GetTileScale();
+  const bool isTile = tiles[0] > 1 || tiles[1] > 1;
+  frame.KeepsOpacities = isTile && view.Elements.AreKnown();
   this->PrepareView(view, frame);
   error = this->Steps.Prepare(frame);
   if (!error.empty())
@@ -253,6 +259,11 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
     view.Accumulator.Forget();
   }
   this->NumberOfAccumulatedPictures = frame.Number < 0 ? 1 : view.Accumulator.GetNumber();
+  if (isTile && !frame.KeepsOpacities)
+  {
+    warning = "A picture is drawn in tiles that was not drawn as a whole before: each tile finds "
+              "opacities of its own, with seams between them. Render the view once before.";
+  }
   if (this->GetNumberOfDroppedFragments() > 0)
   {
     // Their number, which changes with every view, is told by a getter.

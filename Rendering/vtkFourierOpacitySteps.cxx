@@ -90,8 +90,9 @@ std::string vtkFourierOpacitySteps::UploadValues(
 //------------------------------------------------------------------------------
 void vtkFourierOpacitySteps::SumImportance(vtkFourierOpacityFrame& frame)
 {
-  // Opacities stay as they are in later pictures of the same view, of which only bounds are needed.
-  const bool sumsUp = !frame.Stages.Exact && frame.Number <= 0;
+  // Opacities stay as they are in later pictures of the same view and in tiles, of which only
+  // bounds are needed.
+  const bool sumsUp = !frame.Stages.Exact && frame.FindsOpacities();
   const int sums = sumsUp ? static_cast<int>(this->Targets.Sums.size()) : 0;
   frame.State->vtkglDisable(GL_DEPTH_TEST);
   frame.State->vtkglDepthMask(GL_FALSE);
@@ -144,9 +145,9 @@ int vtkFourierOpacitySteps::GetElementShift(
 std::string vtkFourierOpacitySteps::FindOpacities(vtkFourierOpacityFrame& frame)
 {
   frame.ElementShift = GetElementShift(frame.Window, frame.Elements);
-  if (frame.Number > 0)
+  if (!frame.FindsOpacities())
   {
-    // What was found for the first picture of this view.
+    // What was found for the first picture of this view, or for the whole picture.
     return this->UploadOpacities(frame.Window, frame.Elements);
   }
   const vtkIdType last = std::max<vtkIdType>(frame.Elements.GetNumberOfElements() - 1, 0);

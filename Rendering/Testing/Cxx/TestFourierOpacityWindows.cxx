@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Guards vtkFourierOpacityMapper against what surrounds it: several viewports, windows in turn,
-// closed and opened again, of another size, with samples; parallel and perspective views.
+// closed and opened again, of another size, with samples, in tiles; parallel and perspective views.
 
 #include "FourierOpacityScene.h"
+#include "vtkImageData.h"
+#include "vtkWindowToImageFilter.h"
 
 using namespace FourierOpacityTesting;
 
@@ -108,6 +110,56 @@ void CheckProjections(Checks& check, const Method& method)
   check(GetCoverage(stage.Render(), Background) > 0.1, GetName(method) + ": from within");
 }
 
+// What hides something important in one tile only has one opacity in all of them, that of the
+// window's own picture; without that one, a warning says that tiles are on their own.
+void CheckTiles(Checks& check, const Method& method, Messages* messages)
+{
+  const std::string name = GetName(method) + ", tiles";
+  const auto grab = [](vtkRenderWindow* window)
+  {
+    vtkNew<vtkWindowToImageFilter> filter;
+    filter->SetInput(window);
+    filter->SetScale(2);
+    filter->ReadFrontBufferOff();
+    filter->FixBoundaryOff();
+    filter->Update();
+    Picture picture;
+    picture.Width = filter->GetOutput()->GetDimensions()[0];
+    picture.Height = filter->GetOutput()->GetDimensions()[1];
+    auto* bytes =
+      vtkUnsignedCharArray::SafeDownCast(filter->GetOutput()->GetPointData()->GetScalars());
+    picture.Bytes.assign(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
+    return picture;
+  };
+  // A wide context before something important on the left.
+  const auto scene = MakeStack({ { 0.0, 0.0, 0.5, 0.8, { 255, 255, 255, 255 } },
+                                 { -0.5, -0.5, -0.5, 0.2, { 255, 0, 0, 255 } } },
+    { 0.0, 1.0 });
+  OpacityStage stage(Size, Size);
+  SetMethod(stage.GetOptimization(), method);
+  stage.Mapper->SetNumberOfPatches(2);
+  stage.Mapper->SetInputData(scene);
+  const auto context = stage.Stage::Render().At(Size * 3 / 4, Size * 3 / 4);
+  const Picture tiled = grab(stage.Window);
+  for (int x : { Size / 2, Size * 3 / 2 })
+  {
+    for (int y : { Size * 3 / 4, Size * 3 / 2 })
+    {
+      check(IsNear(tiled.At(x, y), context, 1),
+        name + VoxelLineMapperTesting::Describe(tiled.At(x, y)) + " instead of" +
+          VoxelLineMapperTesting::Describe(context));
+    }
+  }
+  check(messages->IsQuiet(), name + ": nothing is said");
+  // A picture of the window again, as it was.
+  check(IsNear(stage.Stage::Render().At(Size * 3 / 4, Size * 3 / 4), context, 1), name + ": after");
+
+  OpacityStage fresh(Size, Size);
+  SetMethod(fresh.GetOptimization(), method);
+  fresh.Mapper->SetInputData(scene);
+  grab(fresh.Window);
+  check(messages->TakeWarnings("tiles") == 1, name + ": one warning");
+}
 }
 
 int TestFourierOpacityWindows(int, char*[])
@@ -121,6 +173,7 @@ int TestFourierOpacityWindows(int, char*[])
     CheckWindows(check, method);
     CheckSamples(check, method);
     CheckProjections(check, method);
+    CheckTiles(check, method, messages);
   }
   check(messages->IsQuiet(), "no errors and no warnings");
   return check.GetResult();
