@@ -67,15 +67,15 @@ bool vtkFourierOpacityElements::IsGroup(
 }
 
 //------------------------------------------------------------------------------
-bool vtkFourierOpacityElements::AreKnown() const
+bool vtkFourierOpacityElements::AreOfWholeView() const
 {
-  return std::none_of(this->States.begin(), this->States.end(),
-    [](const std::unique_ptr<State>& state) { return state->IsNew; });
+  return std::all_of(this->States.begin(), this->States.end(),
+    [](const std::unique_ptr<State>& state) { return state->IsOfWholeView; });
 }
 
 //------------------------------------------------------------------------------
 void vtkFourierOpacityElements::Update(
-  const std::vector<float>& smallest, int shift, int iterations, double blend)
+  const std::vector<float>& smallest, int shift, int iterations, double blend, bool isTile)
 {
   std::vector<float> smooth;
   for (const std::unique_ptr<State>& state : this->States)
@@ -105,6 +105,7 @@ void vtkFourierOpacityElements::Update(
     const std::vector<float>& target = smoothed ? smooth : seen;
     const float part = state->IsNew ? 1.0f : static_cast<float>(blend);
     state->IsNew = false;
+    state->IsOfWholeView = !isTile;
     vtkSMPTools::For(0, count,
       [&](vtkIdType begin, vtkIdType end)
       {

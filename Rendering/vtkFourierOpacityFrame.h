@@ -49,8 +49,8 @@ struct vtkFourierOpacityFrame
   /// Set what the program in use asks for.
   void SetParameters(vtkShaderProgram* program) const;
 
-  /// Whether opacities follow from this picture: not in one of those that follow the first one in a
-  /// sum, nor where they are kept.
+  /// Whether opacities follow from this picture, which is not so in those that follow the first one
+  /// in a sum.
   bool FindsOpacities() const { return this->Number <= 0 && !this->KeepsOpacities; }
 
   /// Draw all items.
@@ -80,8 +80,9 @@ struct vtkFourierOpacityFrame
   bool HasPicture = true;
   /// Number of pictures in the sum before this one; -1 where pictures are not summed up.
   int Number = -1;
-  /// Whether opacities stay as they are: a tile shows too little to find those of the whole
-  /// picture.
+  /// Whether this is a tile of a larger picture, and has the opacities of the whole view, of which
+  /// it shows too little to find them.
+  bool IsTile = false;
   bool KeepsOpacities = false;
   float MeanFactor = 1.0f;
   float Shift[2] = { 0.0f, 0.0f };

@@ -32,6 +32,7 @@ struct vtkFourierOpacityPainter::View
   std::vector<Item> Items; ///< of the last picture; compared, never followed
   vtkFourierOpacityView Last;
   bool HasLast = false;
+  vtkMTimeType WholeTime = 0; ///< of the optimization, in the last picture of the whole view
   std::chrono::steady_clock::time_point Time;
   std::chrono::steady_clock::time_point LastChange;
   vtkFourierOpacityAccumulator Accumulator;
@@ -115,12 +116,14 @@ void vtkFourierOpacityPainter::PrepareView(View& view, vtkFourierOpacityFrame& f
     frame.Shift[0] = static_cast<float>(2.0 * offset.x / frame.Now.Size[0]);
     frame.Shift[1] = static_cast<float>(2.0 * offset.y / frame.Now.Size[1]);
   }
-  if (!frame.KeepsOpacities)
+  if (frame.KeepsOpacities)
   {
-    view.Last = frame.Now;
-    view.HasLast = true;
-    view.Time = time;
+    return;
   }
+  view.Last = frame.Now;
+  view.HasLast = true;
+  view.Time = time;
+  view.WholeTime = frame.IsTile ? 0 : frame.Optimization->GetMTime();
 }
 
 //------------------------------------------------------------------------------
@@ -216,6 +219,10 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   now.Size[0] = viewport[2];
   now.Size[1] = viewport[3];
+  if (now.Size[0] < 1 || now.Size[1] < 1)
+  {
+    return {}; // a renderer beside the tile that is drawn
+  }
   View& view = this->GetView(renderer, destination == Picture ? items.front().Actor : nullptr);
   view.Items = items;
   std::vector<vtkFourierOpacityGroup> groups;
@@ -229,8 +236,9 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
   vtkFourierOpacityFrame frame(renderer, items, optimization, drawItem, now, view.Elements);
   frame.HasPicture = destination == Picture;
   const int* tiles = window->GetTileScale();
-  const bool isTile = tiles[0] > 1 || tiles[1] > 1;
-  frame.KeepsOpacities = isTile && view.Elements.AreKnown();
+  frame.IsTile = tiles[0] > 1 || tiles[1] > 1;
+  frame.KeepsOpacities = frame.IsTile && view.Elements.AreOfWholeView() &&
+    view.WholeTime == optimization->GetMTime() && view.Last.HasSameEye(now);
   this->PrepareView(view, frame);
   error = this->Steps.Prepare(frame);
   if (!error.empty())
@@ -259,15 +267,16 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
     view.Accumulator.Forget();
   }
   this->NumberOfAccumulatedPictures = frame.Number < 0 ? 1 : view.Accumulator.GetNumber();
-  if (isTile && !frame.KeepsOpacities)
+  if (frame.IsTile && !frame.KeepsOpacities)
   {
-    warning = "A picture is drawn in tiles that was not drawn as a whole before: each tile finds "
-              "opacities of its own, with seams between them. Render the view once before.";
+    warning = "A view is drawn in tiles that was not drawn as a whole before: each tile finds "
+              "opacities of its own, with seams between them. For a large picture of a window, "
+              "render the window before. ";
   }
   if (this->GetNumberOfDroppedFragments() > 0)
   {
     // Their number, which changes with every view, is told by a getter.
-    warning = "Fragments did not fit into the lists and are not drawn: MaximumListMemory is " +
+    warning += "Fragments did not fit into the lists and are not drawn: MaximumListMemory is " +
       std::to_string(optimization->GetMaximumListMemory()) +
       " MiB. GetNumberOfDroppedFragments() tells how many.";
   }

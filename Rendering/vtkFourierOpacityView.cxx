@@ -61,6 +61,14 @@ void vtkFourierOpacityView::Set(vtkRenderer* renderer, const std::vector<vtkActo
 }
 
 //------------------------------------------------------------------------------
+bool vtkFourierOpacityView::HasSameEye(const vtkFourierOpacityView& other) const
+{
+  return this->IsParallel == other.IsParallel &&
+    std::equal(this->Position, this->Position + 3, other.Position) &&
+    std::equal(this->Direction, this->Direction + 3, other.Direction);
+}
+
+//------------------------------------------------------------------------------
 bool vtkFourierOpacityView::IsJump(const vtkFourierOpacityView& next) const
 {
   const double largestTurn = std::cos(vtkMath::RadiansFromDegrees(20.0));

@@ -37,6 +37,9 @@ struct VTKRENDERINGLINESETS_EXPORT vtkFourierOpacityView
    * zoom by more than a half.
    */
   bool IsJump(const vtkFourierOpacityView& next) const;
+
+  /// Whether another view is from the same place in the same direction, as tiles of it are.
+  bool HasSameEye(const vtkFourierOpacityView& other) const;
 };
 
 #endif

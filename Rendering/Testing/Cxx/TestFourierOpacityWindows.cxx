@@ -154,11 +154,55 @@ void CheckTiles(Checks& check, const Method& method, Messages* messages)
   // A picture of the window again, as it was.
   check(IsNear(stage.Stage::Render().At(Size * 3 / 4, Size * 3 / 4), context, 1), name + ": after");
 
-  OpacityStage fresh(Size, Size);
-  SetMethod(fresh.GetOptimization(), method);
-  fresh.Mapper->SetInputData(scene);
-  grab(fresh.Window);
-  check(messages->TakeWarnings("tiles") == 1, name + ": one warning");
+  // On their own: without a picture of the whole before, from elsewhere, or with other weights. The
+  // first tile is that on the left below.
+  for (const char* what : { "no picture", "another view", "other weights" })
+  {
+    OpacityStage fresh(Size, Size);
+    SetMethod(fresh.GetOptimization(), method);
+    fresh.Mapper->SetNumberOfPatches(2);
+    fresh.Mapper->SetInputData(MakeStack({ { 0.0, 0.0, 0.5, 0.8, { 255, 255, 255, 255 } },
+                                           { 0.5, 0.5, -0.5, 0.2, { 255, 0, 0, 255 } } },
+      { 0.0, 1.0 }));
+    if (what[0] != 'n')
+    {
+      fresh.Stage::Render();
+    }
+    if (what[0] == 'a')
+    {
+      fresh.Renderer->GetActiveCamera()->SetPosition(0.01, 0.0, 10.0);
+    }
+    if (what[0] == 'o')
+    {
+      fresh.GetOptimization()->SetForegroundWeight(60.0);
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      const Picture alone = grab(fresh.Window);
+      check(IsNear(alone.At(Size / 2, Size / 2), { 255, 255, 255 }, 1) &&
+          IsNear(alone.At(Size * 3 / 2, Size * 5 / 4), context, 12),
+        name + " alone, " + what + VoxelLineMapperTesting::Describe(alone.At(Size / 2, Size / 2)) +
+          VoxelLineMapperTesting::Describe(alone.At(Size * 3 / 2, Size * 5 / 4)));
+    }
+    check(messages->TakeWarnings("tiles") == 1, name + ": one warning, " + what);
+  }
+
+  // Beside another renderer, which some tiles do not show.
+  vtkNew<vtkRenderer> right;
+  right->SetViewport(0.5, 0.0, 1.0, 1.0);
+  right->SetBackground(stage.Renderer->GetBackground());
+  right->AddActor(stage.Actor);
+  right->GetActiveCamera()->DeepCopy(stage.Renderer->GetActiveCamera());
+  stage.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  stage.Window->AddRenderer(right);
+  stage.Stage::Render();
+  const Picture both = grab(stage.Window);
+  for (int x : { Size / 2, Size * 3 / 2 })
+  {
+    check(IsNear(both.At(x, Size * 5 / 4), context, 1),
+      name + ", two renderers" + VoxelLineMapperTesting::Describe(both.At(x, Size * 5 / 4)));
+  }
+  check(messages->IsQuiet(), name + ": nothing is said of two renderers");
 }
 }
 

@@ -129,14 +129,13 @@ void CheckOpaqueLines(Checks& check, Pass pass)
   }
 }
 
-// Two translucent actors: exact with depth peeling. The first picture counts, drawn while a framebuffer
-// of several targets is bound.
+// Two translucent actors: exact with depth peeling. The first picture counts, drawn while a
+// framebuffer of several targets is bound.
 void CheckTwoTranslucentActors(Checks& check, int engine)
 {
   const std::array<int, 3> red{ 255, 0, 0 };
   const std::array<int, 3> white{ 255, 255, 255 };
-  const std::string name =
-    engine == vtkVoxelLineMapper::Shader ? "shader engine" : "native engine";
+  const std::string name = engine == vtkVoxelLineMapper::Shader ? "shader engine" : "native engine";
   for (double z : { 1.0, -1.0 })
   {
     Stage stage;
