@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """
 Guards that a pvserver on several ranks draws for its client what one on one rank draws, opaque and
-translucent and in another time step, that lines are there while the user interacts, and that what is
-selected is what is seen. Lines of all ranks lie between each other. Arguments: the number of ranks.
+translucent and in another time step, that lines are there while the user interacts, and that what
+is selected is what is seen. Lines of all ranks lie between each other. Argument: the number of ranks.
 """
 import os
 import sys
@@ -22,8 +22,8 @@ PIECES = 4
 
 
 def write_steps():
-    steps = [ranks.write_pieces(data, "TestClientServerRanks%d" % i, PIECES, False)
-             for i, data in enumerate((testing.make_helices(LINES), testing.make_helices(LINES, 50)))]
+    steps = [ranks.write_pieces(testing.make_helices(LINES, points), "TestClientServerRanks%d" % i,
+                                PIECES, False) for i, points in enumerate((100, 50))]
     path = os.path.join(testing.OUTPUT, "TestClientServerRanks.pvd")
     with open(path, "w", encoding="utf-8") as file:
         file.write('<VTKFile type="Collection" version="0.1"><Collection>')
@@ -65,6 +65,8 @@ def make_view(source):
     display.Radius = 0.03
     display.Resolution = 64
     display.LineWidth = 3.0
+    # ParaView 6.1 cuts its own highlight at the sides of boxes, and warns of all but straight lines.
+    display.SelectionVisibility = 0
     return view, display
 
 

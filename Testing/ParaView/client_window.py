@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the client of TestClientWindow.sh does: one view per representation, beside each other. Then it
-waits for clicks, and keeps what they select in window.selection: CELL or POINT and the ids, or NOTHING."""
+"""What the client of TestClientWindow.sh does: one view per representation, beside each other. Then
+it waits for clicks, and keeps what they select in window.selection: CELL or POINT and the ids, or
+NOTHING."""
 import os
 
 import linesets_testing as testing

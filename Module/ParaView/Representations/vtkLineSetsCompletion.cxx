@@ -150,19 +150,22 @@ vtkLineSetsCompletion::Spreads vtkLineSetsCompletion::FindPartial(
       std::find(this->Names.begin(), this->Names.end(), identity.first) != this->Names.end();
     vtkLineSetsSpread spread(identity.first, identity.second);
     bool isEverywhere = true;
+    bool hasNumbers = false;
     for (const Arrays& rank : ranks)
     {
       const auto found = rank.find(identity);
       const std::pair<int, int> kind = found == rank.end() ? std::make_pair(0, 0) : found->second;
       spread.Add(kind.first, kind.second);
       isEverywhere = isEverywhere && found != rank.end();
+      hasNumbers = hasNumbers || kind.first > 0;
     }
     // What is empty takes whatever there is.
-    if (isInUse && (spread.IsPartial() || this->Lines->GetNumberOfPoints() == 0))
+    const bool isTaken = hasNumbers && this->Lines->GetNumberOfPoints() == 0;
+    if (isInUse && (spread.IsPartial() || isTaken))
     {
       partial.push_back(spread);
     }
-    else if (!isInUse && (spread.IsPartial() || !isEverywhere))
+    else if (spread.IsPartial() || !isEverywhere)
     {
       leftOut.insert(identity);
     }

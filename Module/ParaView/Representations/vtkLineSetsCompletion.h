@@ -58,7 +58,7 @@ private:
   /// What the ranks with points have, one after the other, and what any of the ranks left out.
   std::vector<Arrays> Gather(
     std::set<Identity>& leftOut, vtkMultiProcessController* controller) const;
-  /// Parts the arrays that need to be changed on some rank by whether they are in use.
+  /// The arrays in use that need to be changed on some rank; adds the others to what is left out.
   Spreads FindPartial(const std::vector<Arrays>& ranks, std::set<Identity>& leftOut) const;
 
   vtkSmartPointer<vtkPolyData> Result;
