@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Guards composite input: which blocks are drawn, with visibility that blocks inherit, as the own
 Wireframe of ParaView draws them; arrays that only some blocks have; colours by field data; and that what is
-not supported per block is told once."""
+not supported per block, or left out, is told once."""
 import os
 
 import linesets_testing as testing
@@ -113,8 +113,23 @@ for name in REPRESENTATIONS:
     display = simple.Show(source, view)
     display.Representation = name
     display.ImportanceArray = "Helix"
+    display.ColorArrayName = ["POINTS", ""]
     display.BlockSelectors = ["/Root/Block0", "/Root/Block2"]
+    messages.take_notes()
     find_drawn(view)
+    messages.take()
+    # What one of the blocks lacks and is not in use; then what the sphere has or lacks as well.
+    notes = messages.take_notes()
+    testing.check(len(notes) == 1 and notes[0].endswith(' them: "Height" of points.'),
+                  "%s: what is left out is told once: %s" % (name, notes))
+    display.BlockSelectors = ["/Root/Block0", "/Root/Block2", "/Root/Block3/Block0"]
+    find_drawn(view)
+    notes = messages.take_notes()
+    wanted = ' them: %s"Normals" of points.' % (
+        "" if name == "Fourier Opacity" else '"Helix" of cells, ')
+    testing.check(len(notes) == 1 and notes[0].endswith(wanted),
+                  "%s: more that is left out is told once: %s" % (name, notes))
+    display.BlockSelectors = ["/Root/Block0", "/Root/Block2"]
     messages.take()
     # Blocks without the array have the NaN colour, and others their own.
     simple.ColorBy(display, ("POINTS", "Height"))
@@ -131,7 +146,7 @@ for name in REPRESENTATIONS:
     # Other blocks lack it now.
     display.BlockSelectors = ["/Root/Block0", "/Root/Block2", "/Root/Block3/Block2"]
     find_drawn(view)
-    said = messages.take()
+    said = messages.take() + messages.take_notes()
     testing.check(not said, "%s: partial arrays are told once: %s" % (name, said))
     display.BlockSelectors = ["/Root/Block0", "/Root/Block2"]
 

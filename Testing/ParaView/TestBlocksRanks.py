@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """
 Guards that several ranks draw what one draws where only some of them have an array that is in use, or no
-lines at all, and that this is told once.
+lines at all, and that this is told once; also of arrays that are not in use, which are left out.
 """
 import os
 
 import linesets_ranks as ranks
 import linesets_testing as testing
 from paraview import simple
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter
 
@@ -19,10 +20,15 @@ MISSING = 'have no array "Height" of points with 1 component'
 
 
 def make_blocks():
-    """Helices in turn in two blocks, of which the second has no "Height"."""
+    """Helices in turn in two blocks, of which the second has no "Height", and the first no "Name"."""
     data = testing.make_helices(30, 300)
     blocks = [ranks.take_lines(data, range(i, 30, 2)) for i in range(2)]
     blocks[1].GetPointData().RemoveArray("Height")
+    names = vtkStringArray()
+    names.SetName("Name")
+    for _ in range(blocks[1].GetNumberOfCells()):
+        names.InsertNextValue("helix")
+    blocks[1].GetCellData().AddArray(names)
     return blocks
 
 
@@ -74,6 +80,7 @@ display = show(partial, view)
 for name, opacities in KINDS:
     display.Representation = name
     messages.take()
+    messages.take_notes()
     for opacity in opacities:
         display.Opacity = opacity
         ranks.check_baseline(view, "TestBlocksRanks%s%d" % (name.replace(" ", ""), 100 * opacity),
@@ -83,4 +90,8 @@ for name, opacities in KINDS:
     told = [text for text in said if MISSING in text]
     testing.check(len(told) == (1 if ranks.RANK == 0 else 0) and len(said) == len(told),
                   "%s: what is missing is told once, by rank 0 alone: %s" % (name, said))
+    notes = messages.take_notes()
+    told = [note for note in notes if note.endswith(' them: "Name" of cells.')]
+    testing.check(len(told) == (1 if ranks.RANK == 0 else 0) and len(notes) == len(told),
+                  "%s: what is left out is told once, by rank 0 alone: %s" % (name, notes))
 simple.Delete(partial)

@@ -1,45 +1,18 @@
 # SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Guards that a server draws as a client alone does: remote and local rendering, while the user
-interacts, selection, and what is told to be in use. Starts a pvserver on a free port and ends it in
-all cases."""
-import os
-import socket
-import subprocess
-import time
-
+interacts, selection, and what is told to be in use."""
+import linesets_server
 import linesets_testing as testing
 from paraview import servermanager, simple
 
 REPRESENTATIONS = ("Voxel Lines", "Illuminated Lines", "Fourier Opacity")
-SECONDS_TO_START = 60.0
 # By the samples, on lines; 40 would be another picture.
 BOUND = 5.0
 # Something that each tells of its last frame.
 IN_USE = {"Voxel Lines": ("RadiusInUse", "EngineInUse", "QualityInUse"),
           "Illuminated Lines": ("NumberOfDrawnSegments",),
           "Fourier Opacity": ("OpacityMemory", "NumberOfAccumulatedOpacityPictures")}
-
-
-def start_server():
-    """Returns the process and its port."""
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        port = probe.getsockname()[1]
-    os.makedirs(testing.OUTPUT, exist_ok=True)
-    log = os.path.join(testing.OUTPUT, "TestClientServer.log")
-    with open(log, "w", encoding="utf-8") as file:
-        process = subprocess.Popen([os.environ["LINESETS_PVSERVER"], "--server-port=%d" % port],
-                                   stdout=file, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
-    # Not by connecting, which the server would take for its client.
-    end = time.monotonic() + SECONDS_TO_START
-    while time.monotonic() < end and process.poll() is None:
-        with open(log, encoding="utf-8") as file:
-            if "Accepting connection" in file.read():
-                return process, port, log
-        time.sleep(0.1)
-    process.kill()
-    testing.check(False, "pvserver does not start, see " + log)
 
 
 def make_scene(path):
@@ -63,7 +36,8 @@ def show(source, view, representation):
 
 
 def draw(view):
-    """The picture in blocks of 4 x 4 pixels: a client has several samples of one, a server one."""
+    """The picture in blocks of 4 x 4 pixels: a client's window and a server's make pixels of lines that
+    are wider than one by other rules, for ParaView's own Wireframe as well."""
     for _ in range(2):
         simple.Render(view)
     picture = testing.take_picture(view, "TestClientServer")
@@ -153,20 +127,8 @@ testing.load_plugin()
 messages = testing.Messages()
 path = testing.write_lines(testing.make_helices(20), "TestClientServer")
 alone = draw_all(*make_scene(path))
-server, port, log = start_server()
-try:
-    simple.Disconnect()
-    simple.Connect("localhost", port)
-    simple.LoadPlugin(os.environ["LINESETS_PLUGIN"], remote=True, ns=simple.__dict__)
-    simple.LoadPlugin(os.environ["LINESETS_PLUGIN"], remote=False, ns=simple.__dict__)
+with linesets_server.Server("TestClientServer"):
     compare(path, alone)
     compare_moving(path, alone)
-    simple.Disconnect()
-finally:
-    server.kill()
-    server.wait()
-with open(log, encoding="utf-8") as file:
-    text = file.read()
-testing.check("ERR|" not in text and "WARN|" not in text, "the server says nothing: " + text)
 said = messages.take()
 testing.check(not said, "the client says nothing: %s" % said)

@@ -4,7 +4,8 @@
 #
 # Guards that the plugin works in the window of ParaView's client: starts it on a display of its own,
 # draws with every representation, takes a picture of the whole screen (window.png in the test's
-# output), and looks for messages and for lines in it.
+# output), and looks for messages and for lines in it. Then it clicks with the mouse on the line that
+# is orange in that picture (client_window.py), and sees that the client has selected that line.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
@@ -15,7 +16,7 @@ fi
 
 mkdir -p "$LINESETS_TEST_OUTPUT"
 cd "$LINESETS_TEST_OUTPUT"
-rm -f window.ready window.png window.log
+rm -f window.ready window.png window.clicked.png window.log window.selection
 # A home of its own: no settings of the user's, no dialog that welcomes.
 export HOME=$PWD/window.home XDG_RUNTIME_DIR=$PWD/window.home QT_QPA_PLATFORM=xcb
 rm -rf "$HOME"
@@ -47,14 +48,64 @@ xdotool windowmove "$window" 0 0 windowsize "$window" 1400 900
 sleep 4
 import -window root window.png
 
-if grep -E 'ERR\||WARN\||Error|Traceback' window.log; then
-  echo "FAILED: the client wrote messages"
-  exit 1
-fi
 # Blue and orange as the test's colour map has them, on black: lines, and not the client's own grey.
-colored=$(convert window.png -crop 1000x800+400+100 -fx '(b>r+0.2)||(r>b+0.2)' -format '%[fx:int(mean*w*h)]' info:)
+# ImageMagick may print something else of -fx before.
+colored=$(convert window.png -crop 1000x800+400+100 -fx 'abs(b-r)>0.2' \
+  -format '%[fx:int(mean*w*h)]' info: | tail -n 1)
 echo "$colored coloured pixels in the views"
 if [ "$colored" -lt 20000 ]; then
   echo "FAILED: too few to be lines"
+  exit 1
+fi
+
+# select KIND KEY X Y: what a key of the client makes a click select.
+select_at() {
+  xdotool mousemove "$3" "$4" key "$2"
+  sleep 0.5
+  xdotool click 1
+  for _ in $(seq 150); do
+    if grep -q "^$1" window.selection 2>/dev/null; then
+      return
+    fi
+    sleep 0.2
+  done
+  import -window root window.clicked.png
+  echo "FAILED: a click at $3 $4 selects no $1 but $(cat window.selection || echo nothing);" \
+    "see window.clicked.png"
+  exit 1
+}
+
+# Parts of the window, inside one view each and without the scalar bar.
+for view in 340x640+375+200 480x280+890+210 480x280+890+570; do
+  IFS=x+ read -r _ _ left top <<<"$view"
+  # Pixels inside the orange line; the middle one of them.
+  convert window.png -crop "$view" +repage -fx 'r>0.3&&r>1.5*b&&r>1.5*g?1:0' \
+    -morphology Erode Square:1 txt:- | sed -n 's/^\([0-9]*\),\([0-9]*\):.*#FFFFFF.*/\1 \2/p' >orange.txt
+  if [ ! -s orange.txt ]; then
+    echo "FAILED: the view at $left $top has no orange line"
+    exit 1
+  fi
+  read -r x y <<<"$(sed -n "$((($(wc -l <orange.txt) + 1) / 2))p" orange.txt)"
+  x=$((left + x)) y=$((top + y))
+
+  # The view that is clicked becomes the active one.
+  xdotool mousemove "$left" "$top" click 1
+  sleep 1
+  select_at CELL s "$x" "$y"
+  cells=$(cat window.selection)
+  select_at POINT d "$x" "$y"
+  points=$(cat window.selection)
+  select_at NOTHING s "$left" "$top"
+  echo "Clicks at $x $y select: $cells; $points"
+  # Line 12, of 100 points each.
+  if [ "$cells" != "CELL 12" ] || ! [[ "$points" =~ ^POINT\ 12[0-9][0-9]$ ]]; then
+    echo "FAILED: this is not the line"
+    exit 1
+  fi
+done
+import -window root window.clicked.png
+
+if grep -E 'ERR\||WARN\||Error|Traceback' window.log; then
+  echo "FAILED: the client wrote messages"
   exit 1
 fi

@@ -122,10 +122,12 @@ def take_picture(view, name):
 
 
 class Messages:
-    """Listens to errors and warnings, which are not printed from then on."""
+    """Listens to errors and warnings, which are not printed from then on, and to notes, which ParaView's
+    client shows without opening its window of messages."""
 
     def __init__(self):
         self.texts = []
+        self.notes = []
         vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
 
         def note(_, event, text):
@@ -136,11 +138,24 @@ class Messages:
         window.AddObserver("ErrorEvent", note)
         window.AddObserver("WarningEvent", note)
 
+        def keep(_, __, text):
+            # What a script prints comes here as well.
+            if text.startswith("vtk"):
+                self.notes.append(text.strip())
+        keep.CallDataType = VTK_STRING
+        window.AddObserver("TextEvent", keep)
+
     def take(self):
         """What was said since the last call."""
         texts = self.texts
         self.texts = []
         return texts
+
+    def take_notes(self):
+        """The notes since the last call."""
+        notes = self.notes
+        self.notes = []
+        return notes
 
 
 def rmse(a, b):

@@ -8,7 +8,6 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkLineSetsLeavesPrivate.h"
-#include "vtkLineSetsSpread.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -140,6 +139,21 @@ vtkSmartPointer<vtkPolyData> Append(const Parts& parts)
   }
   return joined;
 }
+
+//------------------------------------------------------------------------------
+std::set<vtkLineSetsSpread::Identity> FindLeftOut(const Parts& parts, vtkPolyData* joined)
+{
+  std::set<vtkLineSetsSpread::Identity> leftOut;
+  for (vtkPolyData* part : parts)
+  {
+    leftOut.merge(vtkLineSetsSpread::FindArrays(part));
+  }
+  for (const vtkLineSetsSpread::Identity& array : vtkLineSetsSpread::FindArrays(joined))
+  {
+    leftOut.erase(array);
+  }
+  return leftOut;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -189,6 +203,7 @@ vtkPolyData* vtkLineSetsBlocks::Join(
     }
   }
   this->Joined = Append(named);
+  this->LeftOut = FindLeftOut(named, this->Joined);
   this->Sources = std::move(visible.Found);
   this->Indices = std::move(visible.Indices);
   this->Changes = std::move(changes);

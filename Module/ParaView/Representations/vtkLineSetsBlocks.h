@@ -19,9 +19,11 @@
 #ifndef vtkLineSetsBlocks_h
 #define vtkLineSetsBlocks_h
 
+#include "vtkLineSetsSpread.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -58,6 +60,9 @@ public:
   /// One for each array in use that some blocks lack.
   const std::vector<Warning>& GetWarnings() const { return this->Warnings; }
 
+  /// The arrays of the blocks joined last that the result does not have.
+  const std::set<vtkLineSetsSpread::Identity>& GetLeftOut() const { return this->LeftOut; }
+
 private:
   using Parts = std::vector<vtkSmartPointer<vtkPolyData>>;
 
@@ -66,6 +71,7 @@ private:
   std::vector<unsigned int> Indices;
   std::vector<std::string> Changes;
   std::vector<Warning> Warnings;
+  std::set<vtkLineSetsSpread::Identity> LeftOut;
   vtkTimeStamp JoinTime;
 };
 

@@ -4,70 +4,47 @@
 
 #include "vtkCommunicator.h"
 #include "vtkDataObject.h"
-#include "vtkLineSetsSpread.h"
 #include "vtkMultiProcessController.h"
 #include "vtkMultiProcessStream.h"
 #include "vtkPolyData.h"
 
-#include <map>
+#include <algorithm>
 #include <utility>
 
 namespace
 {
-/// Name and association of an array; its components and type of values.
-using Key = std::pair<std::string, int>;
-using Kind = std::pair<int, int>;
-using Arrays = std::map<Key, Kind>;
+using Identity = vtkLineSetsSpread::Identity;
 
 //------------------------------------------------------------------------------
-Arrays FindArrays(vtkPolyData* lines, const std::vector<std::string>& names)
-{
-  Arrays arrays;
-  for (const std::string& name : names)
-  {
-    for (int association : { vtkDataObject::POINT, vtkDataObject::CELL })
-    {
-      Kind kind;
-      vtkLineSetsSpread::Describe(lines, name, association, kind.first, kind.second);
-      if (kind.first > 0)
-      {
-        arrays[{ name, association }] = kind;
-      }
-    }
-  }
-  return arrays;
-}
-
-//------------------------------------------------------------------------------
-void Write(const Arrays& arrays, vtkMultiProcessStream& stream)
+void Write(const std::set<Identity>& arrays, vtkMultiProcessStream& stream)
 {
   stream << static_cast<int>(arrays.size());
-  for (const auto& array : arrays)
+  for (const Identity& array : arrays)
   {
-    stream << array.first.first << array.first.second << array.second.first << array.second.second;
+    stream << array.first << array.second;
   }
 }
 
 //------------------------------------------------------------------------------
-Arrays Read(vtkMultiProcessStream& stream)
+std::set<Identity> Read(vtkMultiProcessStream& stream)
 {
-  Arrays arrays;
+  std::set<Identity> arrays;
   int size = 0;
   stream >> size;
   for (int i = 0; i < size; ++i)
   {
-    Key key;
-    Kind kind;
-    stream >> key.first >> key.second >> kind.first >> kind.second;
-    arrays[key] = kind;
+    Identity array;
+    stream >> array.first >> array.second;
+    arrays.insert(array);
   }
   return arrays;
 }
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* vtkLineSetsCompletion::Complete(
-  vtkPolyData* lines, const std::vector<std::string>& names, vtkMultiProcessController* controller)
+vtkPolyData* vtkLineSetsCompletion::Complete(vtkPolyData* lines,
+  const std::vector<std::string>& names, const std::set<Identity>& leftOut,
+  vtkMultiProcessController* controller)
 {
   const bool isSame = this->Result && this->Lines == lines && this->LinesTime == lines->GetMTime();
   const int mine = isSame && this->Names == names ? 0 : 1;
@@ -81,7 +58,14 @@ vtkPolyData* vtkLineSetsCompletion::Complete(
   this->LinesTime = lines->GetMTime();
   this->Names = names;
 
-  const Spreads partial = this->FindPartial(controller);
+  std::set<Identity> allLeftOut = leftOut;
+  const std::vector<Arrays> ranks = this->Gather(allLeftOut, controller);
+  const Spreads partial = this->FindPartial(ranks, allLeftOut);
+  this->LeftOut.clear();
+  if (controller->GetLocalProcessId() == 0)
+  {
+    this->LeftOut = std::move(allLeftOut);
+  }
   std::vector<std::string> changes;
   this->Warnings.clear();
   for (const vtkLineSetsSpread& spread : partial)
@@ -112,41 +96,78 @@ vtkPolyData* vtkLineSetsCompletion::Complete(
 }
 
 //------------------------------------------------------------------------------
-vtkLineSetsCompletion::Spreads vtkLineSetsCompletion::FindPartial(
-  vtkMultiProcessController* controller) const
+std::vector<vtkLineSetsCompletion::Arrays> vtkLineSetsCompletion::Gather(
+  std::set<Identity>& leftOut, vtkMultiProcessController* controller) const
 {
   vtkMultiProcessStream mine;
+  Write(leftOut, mine);
   mine << (this->Lines->GetNumberOfPoints() > 0 ? 1 : 0);
-  Write(FindArrays(this->Lines, this->Names), mine);
+  const std::set<Identity> arrays = vtkLineSetsSpread::FindArrays(this->Lines);
+  Write(arrays, mine);
+  for (const Identity& array : arrays)
+  {
+    int components = 0;
+    int type = 0;
+    vtkLineSetsSpread::Describe(this->Lines, array.first, array.second, components, type);
+    mine << components << type;
+  }
   std::vector<vtkMultiProcessStream> streams;
   controller->AllGather(mine, streams);
 
   std::vector<Arrays> ranks;
-  Arrays all;
   for (vtkMultiProcessStream& stream : streams)
   {
+    leftOut.merge(Read(stream));
     int hasPoints = 0;
     stream >> hasPoints;
+    Arrays found;
+    for (const Identity& array : Read(stream))
+    {
+      stream >> found[array].first >> found[array].second;
+    }
     if (hasPoints)
     {
-      ranks.push_back(Read(stream));
-      all.insert(ranks.back().begin(), ranks.back().end());
+      ranks.push_back(std::move(found));
     }
+  }
+  return ranks;
+}
+
+//------------------------------------------------------------------------------
+vtkLineSetsCompletion::Spreads vtkLineSetsCompletion::FindPartial(
+  const std::vector<Arrays>& ranks, std::set<Identity>& leftOut) const
+{
+  Arrays all;
+  for (const Arrays& rank : ranks)
+  {
+    all.insert(rank.begin(), rank.end());
   }
   Spreads partial;
   for (const auto& array : all)
   {
-    vtkLineSetsSpread spread(array.first.first, array.first.second);
+    const Identity& identity = array.first;
+    const bool isInUse =
+      std::find(this->Names.begin(), this->Names.end(), identity.first) != this->Names.end();
+    vtkLineSetsSpread spread(identity.first, identity.second);
+    bool isEverywhere = true;
+    bool hasNumbers = false;
     for (const Arrays& rank : ranks)
     {
-      const auto found = rank.find(array.first);
-      const Kind kind = found == rank.end() ? Kind() : found->second;
+      const auto found = rank.find(identity);
+      const std::pair<int, int> kind = found == rank.end() ? std::make_pair(0, 0) : found->second;
       spread.Add(kind.first, kind.second);
+      isEverywhere = isEverywhere && found != rank.end();
+      hasNumbers = hasNumbers || kind.first > 0;
     }
     // What is empty takes whatever there is.
-    if (spread.IsPartial() || this->Lines->GetNumberOfPoints() == 0)
+    const bool isTaken = hasNumbers && this->Lines->GetNumberOfPoints() == 0;
+    if (isInUse && (spread.IsPartial() || isTaken))
     {
       partial.push_back(spread);
+    }
+    else if (spread.IsPartial() || !isEverywhere)
+    {
+      leftOut.insert(identity);
     }
   }
   return partial;

@@ -15,6 +15,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOutputWindow.h"
 #include "vtkPVGeometryFilter.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
@@ -71,7 +72,14 @@ struct vtkLineSetsRepresentation::Level
     {
       names.push_back(request.FieldArray);
     }
-    return this->Shared.Complete(this->Blocks.Join(data, this->Attributes, request), names);
+    vtkPolyData* joined = this->Blocks.Join(data, this->Attributes, request);
+    return this->Shared.Complete(joined, names, this->Blocks.GetLeftOut());
+  }
+
+  /// The arrays of blocks or ranks that do not go along.
+  const std::set<vtkLineSetsSpread::Identity>& GetLeftOut() const
+  {
+    return this->Shared.IsParted() ? this->Shared.GetLeftOut() : this->Blocks.GetLeftOut();
   }
 
   bool IsCurrent(vtkDataObject* data) const
@@ -284,6 +292,7 @@ void vtkLineSetsRepresentation::UpdateLines(vtkInformation* viewInfo)
     {
       this->WarnOnce(warning);
     }
+    this->TellLeftOut();
   }
   this->Actor->SetEnableLOD(detail ? 1 : 0);
 }
@@ -400,6 +409,28 @@ void vtkLineSetsRepresentation::WarnOnce(const std::string& warning, const std::
   if (this->Said.insert(key.empty() ? warning : key).second)
   {
     vtkWarningMacro(<< warning);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLineSetsRepresentation::TellLeftOut()
+{
+  std::string names;
+  for (const vtkLineSetsSpread::Identity& array : this->Whole->GetLeftOut())
+  {
+    const std::string name =
+      "\"" + array.first + "\" of " + (array.second == vtkDataObject::POINT ? "points" : "cells");
+    if (this->Said.insert("Left out: " + name).second)
+    {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+  }
+  if (!names.empty() && vtkObject::GetGlobalWarningDisplay())
+  {
+    const std::string note = std::string(this->GetClassName()) +
+      ": left out, since only some blocks or ranks have them and nothing drawn uses them: " +
+      names + ".\n";
+    vtkOutputWindowDisplayText(note.c_str());
   }
 }
 

@@ -128,6 +128,10 @@ private:
   /// Says a warning where none of the same key has been said; its text is the key by default.
   void WarnOnce(const std::string& warning, const std::string& key = std::string());
 
+  /// Tells once of each array that is left out. No warning, for which ParaView's window would open
+  /// its messages: nothing that is drawn depends on such arrays.
+  void TellLeftOut();
+
   /// The lines of one level of detail and what ParaView sets for their blocks.
   struct Level;
   /// What this rank draws of the level's lines, of which it tells the mapper.

@@ -73,9 +73,11 @@ bool vtkLineSetsShare::HasExtent(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* vtkLineSetsShare::Complete(vtkPolyData* lines, const std::vector<std::string>& names)
+vtkPolyData* vtkLineSetsShare::Complete(vtkPolyData* lines, const std::vector<std::string>& names,
+  const std::set<vtkLineSetsSpread::Identity>& leftOut)
 {
-  return this->IsParted() ? this->Completion.Complete(lines, names, this->Controller) : lines;
+  return this->IsParted() ? this->Completion.Complete(lines, names, leftOut, this->Controller)
+                          : lines;
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,7 @@
 #include "vtkLineSetsDistribution.h"
 #include "vtkLineVoxelizer.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,8 @@ public:
 
   /// The lines with the arrays of these names that any rank has (vtkLineSetsCompletion), where the
   /// lines are parted; else the lines themselves. All ranks must call it.
-  vtkPolyData* Complete(vtkPolyData* lines, const std::vector<std::string>& names);
+  vtkPolyData* Complete(vtkPolyData* lines, const std::vector<std::string>& names,
+    const std::set<vtkLineSetsSpread::Identity>& leftOut);
 
   /**
    * The union of what the ranks measure; all must call it. Also finds out whether any rank has
@@ -67,6 +69,12 @@ public:
 
   /// What is wrong with the lines, in sentences; after Distribute(), where that is called.
   std::vector<std::string> GetWarnings() const;
+
+  /// The arrays that are left out on any rank, on the first rank only; while the lines are parted.
+  const std::set<vtkLineSetsSpread::Identity>& GetLeftOut() const
+  {
+    return this->Completion.GetLeftOut();
+  }
 
   /// The part of space that this rank draws.
   vtkLineSetsDistribution::Box GetRegion() const;

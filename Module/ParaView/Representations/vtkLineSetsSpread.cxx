@@ -21,6 +21,22 @@ vtkDataArray* FindArray(vtkPolyData* part, const std::string& name, int associat
 }
 
 //------------------------------------------------------------------------------
+std::set<vtkLineSetsSpread::Identity> vtkLineSetsSpread::FindArrays(vtkPolyData* part)
+{
+  std::set<Identity> arrays;
+  for (int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    vtkDataSetAttributes* attributes = part->GetAttributes(association);
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      const char* name = attributes->GetAbstractArray(i)->GetName();
+      arrays.insert({ name ? name : "", association });
+    }
+  }
+  return arrays;
+}
+
+//------------------------------------------------------------------------------
 vtkLineSetsSpread::vtkLineSetsSpread(const std::string& name, int association)
   : Name(name)
   , Association(association)

@@ -14,7 +14,9 @@
 #define vtkLineSetsSpread_h
 
 #include <cstddef>
+#include <set>
 #include <string>
+#include <utility>
 
 class vtkPolyData;
 
@@ -23,6 +25,12 @@ class vtkLineSetsSpread
 public:
   /// Association: vtkDataObject::POINT or vtkDataObject::CELL.
   vtkLineSetsSpread(const std::string& name, int association);
+
+  /// Name and association of an array.
+  using Identity = std::pair<std::string, int>;
+
+  /// All arrays of the part, of points and of cells.
+  static std::set<Identity> FindArrays(vtkPolyData* part);
 
   /// Number of components of the part's array, 0 without one, and type of its values.
   static void Describe(
