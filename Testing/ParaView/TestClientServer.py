@@ -106,7 +106,8 @@ def compare_moving(path, alone):
     """Something large beside the lines is drawn by the server, its level of detail by the client."""
     source, view = make_scene(path)
     view.LODThreshold = 0.0
-    view.RemoteRenderThreshold = 1.0
+    # In MiB: more than the level of detail, less than the whole.
+    view.RemoteRenderThreshold = 4.0
     view.UseInteractiveRenderingForScreenshots = 1
     sphere = simple.Sphere(Center=[20.0, 0.0, 0.0], ThetaResolution=300, PhiResolution=300)
     simple.Show(sphere, view)
@@ -116,6 +117,11 @@ def compare_moving(path, alone):
         lines = abs(alone[representation][0] - alone[representation][0][0, 0]).max(axis=2) > 10.0
         view.SMProxy.InteractiveRender()
         picture = draw(view)
+        seen = view.SMProxy.GetClientSideObject()
+        testing.check(seen.GetUsedLODForLastRender() and
+                      seen.GetUseDistributedRenderingForRender() and
+                      not seen.GetUseDistributedRenderingForLODRender(),
+                      "%s: the client draws while the view is moved" % representation)
         moving = abs(picture - picture[0, 0]).max(axis=2) > 10.0
         print(representation, "moving", moving.sum(), "of", lines.sum(), flush=True)
         testing.check(moving.sum() > 0.1 * lines.sum(), "%s: is there while moved" % representation)

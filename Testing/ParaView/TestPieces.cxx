@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Guards that cells which name points that do not exist are counted and left out of the pieces of
- * lines, and cost neither the process nor the other cells, whose arrays come along.
+ * lines, and cost neither the process nor the other cells, whose arrays come along. Also which
+ * pieces of lines a box gets: the blocks in it and one more to either side, from multiples of the
+ * block's size on, closed lines whole, and of the other cells those in it, all in world
+ * coordinates.
  */
 
 #include "vtkLineSetsPieces.h"
@@ -10,15 +13,20 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <initializer_list>
 #include <iostream>
+#include <limits>
+#include <vector>
 
 namespace
 {
@@ -77,6 +85,124 @@ bool Check(bool condition, const char* what)
   }
   return condition;
 }
+
+/// Each cell as the places along x that its points have in the data.
+using Pieces = std::vector<std::vector<int>>;
+
+Pieces GetPieces(vtkPolyData* data, vtkCellArray* cells)
+{
+  Pieces pieces;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    cells->GetCellAtId(i, ids);
+    pieces.emplace_back();
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      pieces.back().push_back(static_cast<int>(std::lround(data->GetPoint(ids->GetId(k))[0])));
+    }
+  }
+  return pieces;
+}
+
+std::vector<int> Range(int first, int last)
+{
+  std::vector<int> range;
+  for (int i = first; i <= last; ++i)
+  {
+    range.push_back(i);
+  }
+  return range;
+}
+
+/// A line along x from 0 to 20, whose points are at y = 1 but for those given, at y = 0.
+vtkSmartPointer<vtkPolyData> MakeLine(std::initializer_list<int> near)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(21);
+  for (int i = 0; i <= 20; ++i)
+  {
+    points->InsertNextPoint(i, std::count(near.begin(), near.end(), i) > 0 ? 0.0 : 1.0, 0.0);
+    lines->InsertCellPoint(i);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetLines(lines);
+  return data;
+}
+
+/// Blocks of two segments: block i has the points 2 i to 2 i + 2.
+bool CheckLine(const char* what, std::initializer_list<int> near, const Pieces& expected)
+{
+  vtkSmartPointer<vtkPolyData> line = MakeLine(near);
+  vtkNew<vtkMatrix4x4> identity;
+  const vtkLineSetsPieces pieces(line, identity, 2);
+  vtkSmartPointer<vtkPolyData> found = pieces.Select({ -1.0, 30.0, -0.5, 0.5, -1.0, 1.0 });
+  return Check(GetPieces(found, found->GetLines()) == expected, what);
+}
+
+bool CheckBlocks()
+{
+  bool isGood = CheckLine("one block and its neighbours", { 9 }, { Range(6, 12) });
+  isGood &= CheckLine("two blocks share a point", { 8 }, { Range(4, 12) });
+  isGood &= CheckLine("the first block", { 0 }, { Range(0, 4) });
+  isGood &= CheckLine("the last block", { 20 }, { Range(16, 20) });
+  isGood &= CheckLine("a gap of two blocks", { 5, 11 }, { Range(2, 14) });
+  isGood &= CheckLine("a gap of three blocks", { 5, 13 }, { Range(2, 8), Range(10, 16) });
+  isGood &= CheckLine("no block", {}, {});
+
+  // In the world, the line lies elsewhere, and one point nowhere.
+  vtkSmartPointer<vtkPolyData> line = MakeLine({});
+  line->GetPoints()->SetPoint(5, std::numeric_limits<double>::quiet_NaN(), 1.0, 0.0);
+  vtkNew<vtkMatrix4x4> moved;
+  moved->SetElement(0, 3, 100.0);
+  const vtkLineSetsPieces pieces(line, moved, 2);
+  vtkSmartPointer<vtkPolyData> found = pieces.Select({ 112.5, 113.5, 0.0, 1.0, -1.0, 1.0 });
+  isGood &= Check(GetPieces(found, found->GetLines()) == Pieces{ Range(10, 16) },
+    "the box is in world coordinates");
+  found = pieces.Select({ 103.9, 104.0, 0.0, 1.0, -1.0, 1.0 });
+  isGood &= Check(found->GetNumberOfLines() == 1 && found->GetNumberOfPoints() == 9,
+    "the rest of a block with a point that is not a number");
+  return isGood;
+}
+
+bool CheckClosedLines()
+{
+  bool isGood = true;
+  for (const bool isSameId : { true, false })
+  {
+    vtkSmartPointer<vtkPolyData> line = MakeLine({ 9 });
+    if (isSameId)
+    {
+      line->GetLines()->ReplaceCellPointAtId(0, 20, 0);
+    }
+    else
+    {
+      line->GetPoints()->SetPoint(20, line->GetPoint(0));
+    }
+    vtkNew<vtkMatrix4x4> identity;
+    const vtkLineSetsPieces pieces(line, identity, 2);
+    vtkSmartPointer<vtkPolyData> found = pieces.Select({ -1.0, 30.0, -0.5, 0.5, -1.0, 1.0 });
+    std::vector<int> whole = Range(0, 19);
+    whole.push_back(0);
+    isGood &=
+      Check(GetPieces(found, found->GetLines()) == Pieces{ whole }, "closed lines stay whole");
+  }
+  return isGood;
+}
+
+/// Of poly-vertices the points in the box, of polygons and strips those that it meets.
+bool CheckOtherCells(const vtkLineSetsPieces& pieces)
+{
+  vtkSmartPointer<vtkPolyData> found = pieces.Select({ 1.5, 6.5, -1.0, 1.0, -1.0, 1.0 });
+  bool isGood = Check(GetPieces(found, found->GetVerts()) == Pieces{ { 2 }, { 3 } },
+    "points of poly-vertices in the box");
+  isGood &= Check(found->GetNumberOfPolys() == 0, "polygons beside the box");
+  isGood &= Check(
+    GetPieces(found, found->GetStrips()) == Pieces{ { 6, 7, 8, 9 } }, "strips that meet the box");
+  return isGood;
+}
 }
 
 int main()
@@ -107,5 +233,8 @@ int main()
 
   vtkSmartPointer<vtkPolyData> none = pieces.Select({ 20.0, 30.0, -1.0, 1.0, -1.0, 1.0 });
   isGood &= Check(none->GetNumberOfCells() == 0, "nothing is far away");
+  isGood &= CheckOtherCells(pieces);
+  isGood &= CheckBlocks();
+  isGood &= CheckClosedLines();
   return isGood ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,9 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) LineSets contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Guards views: the same lines in two views by two representations, of different size; parallel and
-perspective cameras; placement of the representation and coordinates far away; decoration; and lines
-beside a translucent surface, for which ParaView peels depths."""
+perspective cameras, by which lines are where ParaView's own are; placement of the representation and
+coordinates far away; decoration; and lines before, in and behind a translucent surface, for which
+ParaView peels depths."""
 import linesets_testing as testing
+import numpy
 from paraview import simple
 
 REPRESENTATIONS = ("Voxel Lines", "Illuminated Lines", "Fourier Opacity")
@@ -13,6 +15,7 @@ def show(source, view, representation):
     display = testing.show_by_height(source, view, representation)
     if representation == "Voxel Lines":
         display.Radius = 0.02
+    display.LineWidth = 3
     return display
 
 
@@ -35,11 +38,60 @@ def count(picture):
     return int((abs(picture - picture[0, 0]).max(axis=2) > 20.0).sum())
 
 
+def find_lines(picture):
+    return abs(picture - picture[0, 0]).max(axis=2) > 20.0
+
+
+def get_share_near(a, b):
+    """Share of the pixels of a that are a pixel or less from one of b."""
+    wide = numpy.zeros_like(b)
+    for y in (-1, 0, 1):
+        for x in (-1, 0, 1):
+            wide |= numpy.roll(b, (y, x), (0, 1))
+    return (a & wide).sum() / a.sum()
+
+
+def draw_plainly(view, name):
+    """ParaView's own lines, alone and with the sphere around their middle."""
+    display = simple.Show(plain_source, view)
+    display.Representation = "Surface"
+    display.ColorArrayName = ["POINTS", ""]
+    display.AmbientColor = display.DiffuseColor = [1.0, 0.0, 0.0]
+    display.LineWidth = 3
+    plain = draw(view, name)
+    show_sphere(view)
+    both = draw(view, name + "Sphere")
+    simple.Hide(sphere, view)
+    simple.Hide(plain_source, view)
+    return plain, both
+
+
+def show_sphere(view):
+    around = simple.Show(sphere, view)
+    around.Opacity = 0.3
+    around.AmbientColor = around.DiffuseColor = [0.0, 1.0, 0.0]
+    around.ColorArrayName = ["POINTS", ""]
+
+
+def check_order(plain, both, expected, what):
+    """Of opaque lines those are green that ParaView's own lines show behind the sphere's surface."""
+    lines = find_lines(plain) & find_lines(expected[0])
+    before, behind = [numpy.abs(b - a)[lines].max(axis=1) > 15.0
+                      for a, b in ((plain, both), expected)]
+    share = (before == behind).mean()
+    print(what, "order", share, behind.mean(), flush=True)
+    testing.check(0.1 < behind.mean() < 0.9, "%s: there are lines on both sides" % what)
+    testing.check(share > 0.95, "%s: only %.2f of the lines are in order" % (what, share))
+
+
 testing.load_plugin()
 messages = testing.Messages()
 helices = testing.make_helices(12)
-source = simple.XMLPolyDataReader(FileName=[testing.write_lines(helices, "TestViews")])
-far = testing.make_helices(12, shift=50000.0)
+path = testing.write_lines(helices, "TestViews")
+source, plain_source = [simple.XMLPolyDataReader(FileName=[path]) for _ in range(2)]
+# Floats would be a sixteenth apart there.
+FAR = 1e6
+far = testing.make_helices(12, shift=FAR, is_double=True)
 far_source = simple.XMLPolyDataReader(FileName=[testing.write_lines(far, "TestViewsFar")])
 view = testing.make_view((200, 200))
 sphere = simple.Sphere(Radius=0.5, Center=[0.0, 0.0, 1.0], ThetaResolution=32, PhiResolution=32)
@@ -48,10 +100,20 @@ for representation in REPRESENTATIONS:
     for is_parallel in (0, 1):
         what = "%s, %s" % (representation, "parallel" if is_parallel else "perspective")
         view.CameraParallelProjection = is_parallel
+        look(view)
+        surface = draw_plainly(view, "TestViewsSurface%d" % is_parallel)
         display = show(source, view, representation)
         look(view)
         plain = draw(view, "TestViews%s%d" % (representation.replace(" ", ""), is_parallel))
         testing.check(count(plain) > 2000, "%s: drawn" % what)
+        lines, expected = find_lines(plain), find_lines(surface[0])
+        near = get_share_near(lines, expected), get_share_near(expected, lines)
+        print(what, "near", near, flush=True)
+        testing.check(min(near) > 0.95, "%s: lines are where ParaView's are: %s" % (what, near))
+        if representation != "Fourier Opacity":
+            show_sphere(view)
+            check_order(plain, draw(view, "TestViewsOrder"), surface, what)
+            simple.Hide(sphere, view)
 
         # Moved and scaled together with the camera, nothing changes.
         display.Translation = [10.0, 0.0, 0.0]
@@ -78,10 +140,7 @@ for representation in REPRESENTATIONS:
         testing.check(0.1 < ratio < 0.8, "%s: opacity 0.25 gives %.2f" % (what, ratio))
 
         # A translucent surface around the middle changes what is behind it and hides nothing.
-        around = simple.Show(sphere, view)
-        around.Opacity = 0.3
-        around.AmbientColor = around.DiffuseColor = [0.0, 1.0, 0.0]
-        around.ColorArrayName = ["POINTS", ""]
+        show_sphere(view)
         both = draw(view, "TestViewsSphere%s%d" % (representation.replace(" ", ""), is_parallel))
         middle = (both - faint)[80:120, 80:120]
         testing.check(middle[:, :, 1].mean() > 10.0, "%s: the surface is seen: %.1f" % (
@@ -91,12 +150,12 @@ for representation in REPRESENTATIONS:
         display.Opacity = 1.0
         simple.Hide(source, view)
 
-        # Far from the origin, as near it, but for the precision of coordinates.
+        # Far from the origin as near it.
         show(far_source, view, representation)
-        look(view, (50000.0, 0.0, 1.0))
+        look(view, (FAR, 0.0, 1.0))
         difference = testing.rmse(draw(view, "TestViewsFar" + representation.replace(" ", "")),
                                   plain)
-        testing.check(difference <= 12.0, "%s: far away, differs by %.2f" % (what, difference))
+        testing.check(difference <= 0.5, "%s: far away, differs by %.2f" % (what, difference))
         simple.Hide(far_source, view)
         print(what, flush=True)
 

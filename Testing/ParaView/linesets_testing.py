@@ -23,9 +23,11 @@ def load_plugin():
     simple.LoadPlugin(os.environ["LINESETS_PLUGIN"], remote=False, ns=simple.__dict__)
 
 
-def make_helices(number=40, points=100, shift=0.0):
-    """Helices around each other; arrays "Height" (points) and "Helix" (cells)."""
+def make_helices(number=40, points=100, shift=0.0, is_double=False):
+    """Helices around each other, shifted along x; arrays "Height" (points) and "Helix" (cells)."""
     positions = vtkPoints()
+    if is_double:
+        positions.SetDataTypeToDouble()
     lines = vtkCellArray()
     height = vtkDoubleArray()
     height.SetName("Height")

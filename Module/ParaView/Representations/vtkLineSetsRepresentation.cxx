@@ -249,8 +249,9 @@ void vtkLineSetsRepresentation::UpdateLines(vtkInformation* viewInfo)
     : nullptr;
   if (detail && !this->IsThinned() && !this->IsOutline(detail))
   {
-    // The whole, where that is not delivered for itself.
-    data = data ? data : detail;
+    // The whole, where that is not delivered for itself: what is delivered to a client that does
+    // not draw it is empty.
+    data = data && data->GetNumberOfElements(vtkDataObject::POINT) > 0 ? data : detail;
     detail = nullptr;
   }
   this->UpdateBlockAttributes(data, detail);

@@ -4,11 +4,16 @@
 // Guards what saves memory: sums of optical depth at reduced resolution, half floats, and the bytes
 // that are told. Stacks must blend by the same formula in double precision; each pixel must keep
 // its own opacity; what covers a pixel once must hide as much at any reduction; a thousand faint
-// layers must add up in half floats.
+// layers must add up in half floats; OpenGL must have as many bytes as are told, also after
+// changes.
 
 #include "FourierOpacityTesting.h"
 
 #include "vtkCellArray.h"
+#include "vtkOpenGLRenderWindow.h"
+
+#define LINESETS_USE_OPENGL
+#include "vtkLineSetsCompatibilityPrivate.h"
 
 using namespace FourierOpacityTesting;
 
@@ -213,6 +218,56 @@ vtkIdType Reduce(int size, int reduction)
   return (size + reduction - 1) / reduction;
 }
 
+// Bytes of all planar textures of a window, as OpenGL tells their sizes and bits per texel.
+vtkIdType CountTextureBytes(vtkRenderWindow* window)
+{
+  window->MakeCurrent();
+  GLint bound = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+  vtkIdType bytes = 0;
+  for (GLuint name = 1; name < 10000; ++name)
+  {
+    if (!glIsTexture(name))
+    {
+      continue;
+    }
+    glBindTexture(GL_TEXTURE_2D, name);
+    if (glGetError() != GL_NO_ERROR)
+    {
+      continue; // another kind of texture
+    }
+    const auto get = [](GLenum what)
+    {
+      GLint value = 0;
+      glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, what, &value);
+      return static_cast<vtkIdType>(value);
+    };
+    vtkIdType bits = 0;
+    for (GLenum channel : { GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
+           GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE, GL_TEXTURE_STENCIL_SIZE })
+    {
+      bits += get(channel);
+    }
+    bytes += get(GL_TEXTURE_WIDTH) * get(GL_TEXTURE_HEIGHT) * bits / 8;
+  }
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
+  return bytes;
+}
+
+// Those that VTK has for translucent props of its own.
+vtkIdType CountOtherBytes(OpacityStage& stage, vtkPolyData* data)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  vtkSmartPointer<vtkActor> actor = stage.Add(mapper, 0.5);
+  stage.Actor->VisibilityOff();
+  stage.Stage::Render();
+  const vtkIdType bytes = CountTextureBytes(stage.Window);
+  stage.Renderer->RemoveActor(actor);
+  stage.Actor->VisibilityOn();
+  return bytes;
+}
+
 // What is told is what there is, format by format.
 void CheckBytes(Checks& check)
 {
@@ -237,6 +292,7 @@ void CheckBytes(Checks& check)
     OpacityStage stage(width, height);
     stage.Mapper->SetInputData(data);
     Optimization* by = stage.GetOptimization();
+    const vtkIdType others = CountOtherBytes(stage, data);
     for (int importance : { 2, 3 })
     {
       by->SetImportanceReduction(importance);
@@ -263,6 +319,11 @@ void CheckBytes(Checks& check)
           const vtkIdType told = stage.Mapper->GetNumberOfBytes();
           check(told == sums + rest,
             name + std::to_string(told) + " bytes, not " + std::to_string(sums + rest));
+          // Opacities of elements are in a buffer.
+          const vtkIdType textures = told - data->GetNumberOfPoints() * 4;
+          const vtkIdType there = CountTextureBytes(stage.Window) - others;
+          check(there == textures,
+            name + std::to_string(there) + " bytes of textures, not " + std::to_string(textures));
         }
       }
     }
