@@ -178,10 +178,10 @@ public:
   ///@{
   /**
    * Whether sums but the first one, which tells the opacity, and colours are kept in half floats,
-   * of 2 bytes, rather than in floats of 4. Default true. Graphics devices blend them up to three
-   * times as fast. A half float does not grow by less than 1/4096 of what it holds: where thousands
-   * of fragments of an opacity below 0.001 make up a pixel, colours get lost; set false there.
-   * Counts for Fourier alone.
+   * of 2 bytes, rather than in floats of 4. Default true, which takes less memory, and less time on
+   * graphics devices. A half float does not grow by less than 1/4096 of what it holds: where
+   * thousands of fragments of an opacity below 0.001 make up a pixel, colours get lost; set false
+   * there. Counts for Fourier alone.
    */
   vtkSetMacro(HalfFloats, bool);
   vtkGetMacro(HalfFloats, bool);

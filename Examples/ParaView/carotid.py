@@ -58,7 +58,7 @@ here = os.path.dirname(os.path.abspath(__file__))
 streamlines = trace(os.path.join(here, "..", "..", "Testing", "Data", "carotid.vti"))
 view = GetActiveViewOrCreate("RenderView")
 if arguments.output:
-    view.ViewSize = [1024, 768]  # larger pictures than the view's are drawn in tiles
+    view.ViewSize = [1024, 768]
 draw(streamlines, arguments.representation, view)
 view.CameraFocalPoint = [0.0, 0.0, 0.0]
 view.CameraPosition = [0.3, -0.9, 0.35]
