@@ -124,5 +124,6 @@ for change, mode, component in CHANGES:
     check_same(settings, 0.0, "%s %s %d" % (change, mode, component))
 scene.AnimationTime = 1
 check_same(settings, SHIFTS[1], "other lines")
-errors = [text for text in messages.take() if text.startswith("Error")]
-testing.check(not errors, "no errors: %s" % errors)
+# Nothing is held against the ranges of another array.
+said = messages.take()
+testing.check(not said, "no errors and no warnings: %s" % said)

@@ -168,6 +168,7 @@ int vtkLineSetsRepresentation::ProcessViewRequest(
     const int done = this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
     if (done && request == vtkPVView::REQUEST_UPDATE())
     {
+      this->LeaveStaleMeasures();
       if (!this->GetUseDataPartitions())
       {
         // The view parts space by these lines, but they are handed on here, not by the view.
@@ -434,6 +435,9 @@ void vtkLineSetsRepresentation::TellLeftOut()
     vtkOutputWindowDisplayText(note.c_str());
   }
 }
+
+//------------------------------------------------------------------------------
+void vtkLineSetsRepresentation::LeaveStaleMeasures() {}
 
 //------------------------------------------------------------------------------
 vtkPolyData* vtkLineSetsRepresentation::Share(Level& level, vtkPolyData* lines)

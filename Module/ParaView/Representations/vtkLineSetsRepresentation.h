@@ -100,6 +100,12 @@ protected:
 
   using Measures = vtkLineVoxelizer::Measures;
 
+  /**
+   * Leave what was shared if it is of other settings than the present ones: a view asks for bounds,
+   * for which the mapper may build, before the lines are shared again. By default nothing is done.
+   */
+  virtual void LeaveStaleMeasures();
+
   /// What has to be the same on all ranks; by default the bounds of the lines.
   virtual Measures MeasureLines(vtkPolyData* lines);
 

@@ -84,6 +84,17 @@ bool vtkVoxelLinesRepresentation::NeedsOrderedCompositing()
 }
 
 //------------------------------------------------------------------------------
+void vtkVoxelLinesRepresentation::LeaveStaleMeasures()
+{
+  // Another array of radii or colours would be held against the ranges of the one before.
+  vtkVoxelLineMapper* mapper = this->GetVoxelLineMapper();
+  if (mapper->GetUseCustomRanges() && this->MeasuredSettings != DescribeMeasured(mapper))
+  {
+    mapper->SetUseCustomRanges(false);
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkVoxelLinesRepresentation::Measures vtkVoxelLinesRepresentation::MeasureLines(vtkPolyData* lines)
 {
   vtkVoxelLineMapper* mapper = this->GetVoxelLineMapper();

@@ -42,6 +42,7 @@ protected:
   /// Also where tubes are opaque, which let something through where they are thinner than a pixel,
   /// and where lines of other ranks cast shadows.
   bool NeedsOrderedCompositing() override;
+  void LeaveStaleMeasures() override;
   Measures MeasureLines(vtkPolyData* lines) override;
   double SetSharedMeasures(const Measures* measures) override;
   void SetRegion(const double region[6]) override;
