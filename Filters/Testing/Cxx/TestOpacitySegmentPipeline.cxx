@@ -224,7 +224,8 @@ public:
     vtkAlgorithm* filter = static_cast<vtkAlgorithm*>(caller);
     const double progress = filter->GetProgress();
     this->IsAscending = this->IsAscending && progress >= this->Last;
-    this->Last = progress;
+    // From VTK 9.3 on, the end of an update is told where it was stopped, too.
+    this->Last = progress < 1.0 ? progress : this->Last;
     this->Looks += progress < 1.0 ? 1 : 0;
     if (progress >= this->StopAt && progress < 1.0)
     {
