@@ -19,12 +19,14 @@ KINDS = (("Voxel Lines", 1.0, 0.1), ("Voxel Lines", 0.25, 1.0), ("Illuminated Li
          ("Illuminated Lines", 0.25, 1.0), ("Fourier Opacity", 1.0, 1.0))
 LINES = 20
 PIECES = 4
+# The tests of other numbers of ranks run beside this one.
+NAME = "TestClientServerRanks%s" % sys.argv[1]
 
 
 def write_steps():
-    steps = [ranks.write_pieces(testing.make_helices(LINES, points), "TestClientServerRanks%d" % i,
-                                PIECES, False) for i, points in enumerate((100, 50))]
-    path = os.path.join(testing.OUTPUT, "TestClientServerRanks.pvd")
+    steps = [ranks.write_pieces(testing.make_helices(LINES, points), "%s-%d" % (NAME, i), PIECES, False)
+             for i, points in enumerate((100, 50))]
+    path = os.path.join(testing.OUTPUT, NAME + ".pvd")
     with open(path, "w", encoding="utf-8") as file:
         file.write('<VTKFile type="Collection" version="0.1"><Collection>')
         for i, name in enumerate(steps):
@@ -82,13 +84,13 @@ def draw(path, number):
         display.Representation = name
         display.Opacity = opacity
         scene.AnimationTime = 0
-        still = testing.take_picture(view, "TestClientServerRanks")
+        still = testing.take_picture(view, NAME)
         view.UseInteractiveRenderingForScreenshots = 1
-        moving = testing.take_picture(view, "TestClientServerRanks")
+        moving = testing.take_picture(view, NAME)
         view.UseInteractiveRenderingForScreenshots = 0
         selected = select(source, view, number)
         scene.AnimationTime = 1
-        later = testing.take_picture(view, "TestClientServerRanks")
+        later = testing.take_picture(view, NAME)
         drawn.append((still, moving, later, selected))
     is_remote = view.SMProxy.GetClientSideObject().GetUseDistributedRenderingForRender()
     testing.check(is_remote, "the server draws")
@@ -105,7 +107,7 @@ path = write_steps()
 drawn = {}
 number = int(sys.argv[1])
 for size in (1, number):
-    with linesets_server.Server("TestClientServerRanks%d-%d" % (number, size), size):
+    with linesets_server.Server("%s-%d" % (NAME, size), size):
         # ParaView's session with the server before says that this has gone.
         messages.take()
         drawn[size] = draw(path, size)
