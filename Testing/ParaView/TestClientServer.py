@@ -109,7 +109,7 @@ def compare_moving(path, alone):
     # In MiB: more than the level of detail, less than the whole.
     view.RemoteRenderThreshold = 4.0
     view.UseInteractiveRenderingForScreenshots = 1
-    sphere = simple.Sphere(Center=[20.0, 0.0, 0.0], ThetaResolution=300, PhiResolution=300)
+    sphere = simple.Sphere(Center=[20.0, 0.0, 0.0], ThetaResolution=500, PhiResolution=500)
     simple.Show(sphere, view)
     for representation in REPRESENTATIONS:
         show(source, view, representation)
