@@ -106,10 +106,10 @@ def compare_moving(path, alone):
     """Something large beside the lines is drawn by the server, its level of detail by the client."""
     source, view = make_scene(path)
     view.LODThreshold = 0.0
-    # In MiB: more than the level of detail, less than the whole.
-    view.RemoteRenderThreshold = 4.0
+    # In MiB: more than the level of detail, less than the whole, in each version of ParaView.
+    view.RemoteRenderThreshold = 16.0
     view.UseInteractiveRenderingForScreenshots = 1
-    sphere = simple.Sphere(Center=[20.0, 0.0, 0.0], ThetaResolution=500, PhiResolution=500)
+    sphere = simple.Sphere(Center=[20.0, 0.0, 0.0], ThetaResolution=400, PhiResolution=400)
     simple.Show(sphere, view)
     for representation in REPRESENTATIONS:
         show(source, view, representation)
