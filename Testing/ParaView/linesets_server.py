@@ -76,7 +76,9 @@ class Server:
                 simple.Disconnect()
         finally:
             self.kill()
-        text = self.read_log()
+        # ParaView 6.1 says of its own thinning of polygons that it copies indices.
+        text = "".join(line for line in self.read_log().splitlines(True)
+                       if "ArrayExtractComponent.h" not in line)
         testing.check(kind is not None or not ("ERR|" in text or "WARN|" in text),
                       "the server says nothing: " + text)
         return False
