@@ -67,15 +67,15 @@ bool vtkFourierOpacityElements::IsGroup(
 }
 
 //------------------------------------------------------------------------------
-bool vtkFourierOpacityElements::AreOfWholeView() const
+bool vtkFourierOpacityElements::AreKnown() const
 {
-  return std::all_of(this->States.begin(), this->States.end(),
-    [](const std::unique_ptr<State>& state) { return state->IsOfWholeView; });
+  return std::none_of(this->States.begin(), this->States.end(),
+    [](const std::unique_ptr<State>& state) { return state->IsNew; });
 }
 
 //------------------------------------------------------------------------------
 void vtkFourierOpacityElements::Update(
-  const std::vector<float>& smallest, int shift, int iterations, double blend, bool isTile)
+  const std::vector<float>& smallest, int shift, int iterations, double blend)
 {
   std::vector<float> smooth;
   for (const std::unique_ptr<State>& state : this->States)
@@ -105,7 +105,6 @@ void vtkFourierOpacityElements::Update(
     const std::vector<float>& target = smoothed ? smooth : seen;
     const float part = state->IsNew ? 1.0f : static_cast<float>(blend);
     state->IsNew = false;
-    state->IsOfWholeView = !isTile;
     vtkSMPTools::For(0, count,
       [&](vtkIdType begin, vtkIdType end)
       {

@@ -50,18 +50,17 @@ public:
   std::size_t GetNumberOfGroups() const { return this->States.size(); }
   vtkIdType GetFirstElement(std::size_t group) const { return this->States[group]->First; }
 
-  /// Whether opacities are those of a picture of the whole view, not of a tile of it.
-  bool AreOfWholeView() const;
+  /// Whether each element has an opacity from a picture before.
+  bool AreKnown() const;
 
   /// Whether these are the elements of a group.
   bool IsGroup(std::size_t group, const vtkFourierOpacityGroup& elements) const;
 
   /**
    * Take the smallest opacities of a frame. 2^shift elements share a place of the array. blend is
-   * the part of the change that is made, 1 for all of it; isTile tells that the frame is a tile.
+   * the part of the change that is made, 1 for all of it.
    */
-  void Update(const std::vector<float>& smallest, int shift, int iterations, double blend,
-    bool isTile = false);
+  void Update(const std::vector<float>& smallest, int shift, int iterations, double blend);
 
   /// Opacity of each element, smoothed.
   const std::vector<float>& GetOpacities() const { return this->Shown; }
@@ -79,7 +78,6 @@ private:
     std::vector<unsigned char> WasSeen;
     std::vector<float> Shown;
     bool IsNew = true;
-    bool IsOfWholeView = false;
   };
 
   std::vector<std::unique_ptr<State>> States;

@@ -32,7 +32,7 @@ struct vtkFourierOpacityPainter::View
   std::vector<Item> Items; ///< of the last picture; compared, never followed
   vtkFourierOpacityView Last;
   bool HasLast = false;
-  vtkMTimeType WholeTime = 0; ///< of the optimization, in the last picture of the whole view
+  vtkMTimeType WholeTime = 0; ///< of the optimization; 0 where opacities are those of a tile
   std::chrono::steady_clock::time_point Time;
   std::chrono::steady_clock::time_point LastChange;
   vtkFourierOpacityAccumulator Accumulator;
@@ -237,7 +237,7 @@ std::string vtkFourierOpacityPainter::Draw(vtkRenderer* renderer, const std::vec
   frame.HasPicture = destination == Picture;
   const int* tiles = window->GetTileScale();
   frame.IsTile = tiles[0] > 1 || tiles[1] > 1;
-  frame.KeepsOpacities = frame.IsTile && view.Elements.AreOfWholeView() &&
+  frame.KeepsOpacities = frame.IsTile && view.Elements.AreKnown() &&
     view.WholeTime == optimization->GetMTime() && view.Last.HasSameEye(now);
   this->PrepareView(view, frame);
   error = this->Steps.Prepare(frame);

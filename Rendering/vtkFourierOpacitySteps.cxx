@@ -194,8 +194,8 @@ std::string vtkFourierOpacitySteps::FindOpacities(vtkFourierOpacityFrame& frame)
     return error;
   }
   this->Opacities.Download(values.data(), values.size() * sizeof(float));
-  frame.Elements.Update(values, frame.ElementShift, frame.Optimization->GetSmoothingIterations(),
-    frame.Blend, frame.IsTile);
+  frame.Elements.Update(
+    values, frame.ElementShift, frame.Optimization->GetSmoothingIterations(), frame.Blend);
   return this->UploadOpacities(frame.Window, frame.Elements);
 }
 

@@ -13,7 +13,16 @@
 #include "vtkVoxelLineGlobalLight.h"
 #include "vtkVoxelLineOcclusion.h"
 
+#include "vtkVoxelLineFields.h"
+
 #include <new>
+
+//------------------------------------------------------------------------------
+std::string vtkVoxelLineFieldBuffers::GetSource(const vtkVoxelLineGlobalLight& light)
+{
+  return std::string(light.Densities ? "#define LineSetsHasDensities\n" : "") +
+    (light.SphericalOcclusion ? "#define LineSetsHasOcclusion\n" : "") + vtkVoxelLineFields;
+}
 
 //------------------------------------------------------------------------------
 bool vtkVoxelLineFieldBuffers::Upload(

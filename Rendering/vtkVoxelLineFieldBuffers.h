@@ -25,6 +25,9 @@ struct vtkVoxelLineGlobalLight;
 class vtkVoxelLineFieldBuffers
 {
 public:
+  /// Functions of a fragment shader that read what the light reads, and their samplers.
+  static std::string GetSource(const vtkVoxelLineGlobalLight& light);
+
   /// Upload what the light reads and has changed. Returns false, with the reason in GetError(),
   /// where a buffer cannot be that large or there is no memory.
   bool Upload(vtkOpenGLRenderWindow* window, const vtkVoxelLineGlobalLight& light);

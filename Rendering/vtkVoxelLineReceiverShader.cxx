@@ -6,10 +6,10 @@
 #include "vtkOpenGLShaderProperty.h"
 #include "vtkShaderProgram.h"
 #include "vtkVoxelLineDensities.h"
+#include "vtkVoxelLineFieldBuffers.h"
 #include "vtkVoxelLineLightFields.h"
 
 #include "vtkVoxelLineDensity.h"
-#include "vtkVoxelLineFields.h"
 #include "vtkVoxelLineReceiver.h"
 #include "vtkVoxelLineReceiverFetch.h"
 #include "vtkVoxelLineReceiverFragment.h"
@@ -260,10 +260,8 @@ std::string vtkVoxelLineReceiverShader::GetSource() const
   constant("Occlusion", static_cast<std::size_t>(this->Global.Occlusion));
   constant("DensityLevels", static_cast<std::size_t>(this->DensityLevels));
   constant("ReceivedLights", this->Global.Lights.size());
-  os << (this->Global.Densities ? "#define LineSetsHasDensities\n" : "")
-     << (this->Global.SphericalOcclusion ? "#define LineSetsHasOcclusion\n" : "");
-  os << vtkVoxelLineReceiverFetch << vtkVoxelLineFields << vtkVoxelLineDensity
-     << vtkVoxelLineSoftLight << vtkVoxelLineReceiver << "#endif\n";
+  os << vtkVoxelLineReceiverFetch << vtkVoxelLineFieldBuffers::GetSource(this->Global)
+     << vtkVoxelLineDensity << vtkVoxelLineSoftLight << vtkVoxelLineReceiver << "#endif\n";
   return os.str();
 }
 

@@ -26,7 +26,6 @@
 #include "vtkVoxelLineCount.h"
 #include "vtkVoxelLineDensity.h"
 #include "vtkVoxelLineFetch.h"
-#include "vtkVoxelLineFields.h"
 #include "vtkVoxelLineFragment.h"
 #include "vtkVoxelLineHits.h"
 #include "vtkVoxelLineLayers.h"
@@ -325,11 +324,11 @@ bool vtkVoxelLineShaderEngine::Internals::PrepareQuad(vtkOpenGLRenderWindow* win
   if (!this->Quad || this->QuadKind != kind)
   {
     std::string source = std::string("//VTK::System::Dec\n//VTK::Output::Dec\n") +
-      vtkVoxelLineFetch + vtkVoxelLineFields + vtkVoxelLinePacking + vtkVoxelLineCapsule +
-      vtkVoxelLineRay + vtkVoxelLineSegment + vtkVoxelLineOccluder + vtkVoxelLineHits +
-      vtkVoxelLineSlabs + vtkVoxelLineOcclusionRay + vtkVoxelLineDensity + vtkVoxelLineSoftLight +
-      vtkVoxelLineShadow + vtkVoxelLineAcceleration + vtkVoxelLineShading + vtkVoxelLineLayers +
-      vtkVoxelLineTraversal + vtkVoxelLinePixel + vtkVoxelLineFragment;
+      vtkVoxelLineFetch + vtkVoxelLinePacking + vtkVoxelLineCapsule + vtkVoxelLineRay +
+      vtkVoxelLineSegment + vtkVoxelLineOccluder + vtkVoxelLineHits + vtkVoxelLineSlabs +
+      vtkVoxelLineOcclusionRay + vtkVoxelLineDensity + vtkVoxelLineSoftLight + vtkVoxelLineShadow +
+      vtkVoxelLineAcceleration + vtkVoxelLineShading + vtkVoxelLineLayers + vtkVoxelLineTraversal +
+      vtkVoxelLinePixel + vtkVoxelLineFragment;
     vtkShaderProgram::Substitute(source, "//LineSets::Constants", kind);
     this->Quad.reset();
     if (!window->GetShaderCache()->ReadyShaderProgram(vtkVoxelLineVertex, source.c_str(), ""))

@@ -5,6 +5,7 @@
 #include "vtkLineSetsLightingUniforms.h"
 #include "vtkShaderProgram.h"
 #include "vtkVoxelLineDensities.h"
+#include "vtkVoxelLineFieldBuffers.h"
 #include "vtkVoxelLineFrame.h"
 #include "vtkVoxelLineModel.h"
 
@@ -53,8 +54,7 @@ std::string vtkVoxelLineShaderUniforms::MakeConstants(
   { os << (has ? std::string("#define ") + name + "\n" : std::string()); };
   define("LineSetsHasScene", hasScene);
   define("LineSetsHasLevel", hasLevel);
-  define("LineSetsHasDensities", frame.Global.Densities != nullptr);
-  define("LineSetsHasOcclusion", frame.Global.SphericalOcclusion != nullptr);
+  os << vtkVoxelLineFieldBuffers::GetSource(frame.Global);
   os << "float lightVisibility(int i);\n" << vtkLineSetsLightingUniforms::GetSource(frame.Light);
   return os.str();
 }

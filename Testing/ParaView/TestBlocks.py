@@ -80,6 +80,20 @@ def find_drawn(view):
     return drawn, colors
 
 
+def check_partial(display, association, array, name):
+    """Blocks without the array have the NaN colour, and others their own, which is told once."""
+    simple.ColorBy(display, (association, array))
+    table = simple.GetColorTransferFunction(array)
+    table.NanColor = [0.0, 1.0, 0.0]
+    table.RGBPoints = [0.0, 1.0, 0.0, 0.0, 2.0, 1.0, 0.0, 0.0]
+    _, colors = find_drawn(view)
+    testing.check(colors[0][0] > colors[0][1] + 50.0, "%s, %s: red: %s" % (name, array, colors[0]))
+    testing.check(colors[1][1] > colors[1][0] + 50.0, "%s, %s: green: %s" % (name, array, colors[1]))
+    said = messages.take()
+    testing.check(len(said) == 1 and '1 of 2 visible blocks have no array "%s"' % array in said[0],
+                  "%s: partial arrays are told once: %s" % (name, said))
+
+
 testing.load_plugin()
 messages = testing.Messages()
 view = testing.make_view((400, 100))
@@ -131,17 +145,7 @@ for name in REPRESENTATIONS:
                   "%s: more that is left out is told once: %s" % (name, notes))
     display.BlockSelectors = ["/Root/Block0", "/Root/Block2"]
     messages.take()
-    # Blocks without the array have the NaN colour, and others their own.
-    simple.ColorBy(display, ("POINTS", "Height"))
-    table = simple.GetColorTransferFunction("Height")
-    table.NanColor = [0.0, 1.0, 0.0]
-    table.RGBPoints = [0.0, 1.0, 0.0, 0.0, 2.0, 1.0, 0.0, 0.0]
-    _, colors = find_drawn(view)
-    testing.check(colors[0][0] > colors[0][1] + 50.0, "%s is red: %s" % (name, colors[0]))
-    testing.check(colors[1][1] > colors[1][0] + 50.0, "%s is green: %s" % (name, colors[1]))
-    said = messages.take()
-    testing.check(len(said) == 1 and '1 of 2 visible blocks have no array "Height"' in said[0],
-                  "%s: partial arrays are told once: %s" % (name, said))
+    check_partial(display, "POINTS", "Height", name)
 
     # Other blocks lack it now.
     display.BlockSelectors = ["/Root/Block0", "/Root/Block2", "/Root/Block3/Block2"]
@@ -157,16 +161,7 @@ for name in REPRESENTATIONS:
                   "%s: colours of blocks differ: %s" % (name, colors))
 
     messages.take()
-    simple.ColorBy(display, ("FIELD", "Tag"))
-    table = simple.GetColorTransferFunction("Tag")
-    table.NanColor = [0.0, 1.0, 0.0]
-    table.RGBPoints = [0.0, 1.0, 0.0, 0.0, 2.0, 1.0, 0.0, 0.0]
-    _, colors = find_drawn(view)
-    testing.check(colors[0][0] > colors[0][1] + 50.0, "%s, Tag: red: %s" % (name, colors[0]))
-    testing.check(colors[1][1] > colors[1][0] + 50.0, "%s, no Tag: green: %s" % (name, colors[1]))
-    said = messages.take()
-    testing.check(len(said) == 1 and '1 of 2 visible blocks have no array "Tag"' in said[0],
-                  "%s: partial field data are told once: %s" % (name, said))
+    check_partial(display, "FIELD", "Tag", name)
     # The next representation begins without.
     simple.ColorBy(display, ("FIELD", "vtkBlockColors"))
 
